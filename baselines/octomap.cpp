@@ -1,0 +1,89 @@
+#include "baselines/octomap.h"
+
+#include <octomap/OcTree.h>
+#include <octomap/Pointcloud.h>
+
+#include <sstream>
+
+#include "baselines/no_clusters.h"
+#include "ldm/log_odds.h"
+#include "ldm/scan_check.h"
+
+namespace baselines {
+namespace {
+
+constexpr double kVoxelsToBorder = 32768;  // of the tree, from the origin: its keys have 16 bits
+
+octomap::point3d to_octomap(const Eigen::Vector3d& p) {
+  const Eigen::Vector3f f = p.cast<float>();
+  return {f.x(), f.y(), f.z()};
+}
+
+}  // namespace
+
+Octomap::Octomap(const ldm::Parameters& parameters)
+    : resolution_(ldm::checked(parameters).map.resolution),
+      use_no_returns_(parameters.sensor_model.no_returns == ldm::NoReturnRays::kFree),
+      window_{-parameters.map.voxels / 2, parameters.map.voxels},
+      max_range_(parameters.map.voxels.cast<double>().norm() / 2 * resolution_),
+      tree_(std::make_unique<octomap::OcTree>(resolution_)) {
+  const ldm::SensorModelParameters& sensor = parameters.sensor_model;
+  tree_->setProbHit(sensor.p_occ);
+  tree_->setProbMiss(sensor.p_free);
+  tree_->setClampingThresMin(ldm::probability(sensor.log_odds_min));
+  tree_->setClampingThresMax(ldm::probability(sensor.log_odds_max));
+}
+
+Octomap::~Octomap() = default;
+
+void Octomap::check_reach(const char* name, const ldm::Pose& pose) const {
+  const double reach = kVoxelsToBorder * resolution_ - 2 * max_range_;
+  if ((pose.translation.array().abs() <= reach).all()) return;
+  std::ostringstream message;
+  message << "scan." << name << ": translation (" << pose.translation.transpose()
+          << ") m: out of the octree; allowed: coordinates within +-" << reach << " m";
+  throw ldm::InvalidInput(message.str());
+}
+
+void Octomap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
+  ldm::check_scan(scan, time_);
+  check_reach("T_world_uav", scan.T_world_uav);
+  check_reach("T_world_sensor", scan.T_world_sensor);
+  time_ = scan.time;
+
+  if (listener != nullptr) listener->begin("occupancy_update");
+  window_.origin = ldm::voxel_at(scan.T_world_uav.translation, resolution_) - window_.size / 2;
+  octomap::Pointcloud cloud;
+  cloud.reserve(scan.points.size() + scan.no_returns.size());
+  for (const ldm::Point& p : scan.points) {
+    cloud.push_back(to_octomap(scan.T_world_sensor * p.cast<double>()));
+  }
+  if (use_no_returns_) {
+    // A point beyond the range limit clears the way up to the limit, and marks nothing occupied.
+    for (const ldm::Point& direction : scan.no_returns) {
+      cloud.push_back(
+          to_octomap(scan.T_world_sensor * (2 * max_range_ * direction.cast<double>())));
+    }
+  }
+  tree_->insertPointCloud(cloud, to_octomap(scan.T_world_sensor.translation), max_range_);
+}
+
+void Octomap::read(ldm::LocalMap& map) const {
+  map.window = window_;
+  map.resolution = resolution_;
+  map.occupancy.clear();
+  const ldm::VoxelIndex end = window_.origin + window_.size;
+  for (int z = window_.origin.z(); z < end.z(); ++z) {
+    for (int y = window_.origin.y(); y < end.y(); ++y) {
+      for (int x = window_.origin.x(); x < end.x(); ++x) {
+        const Eigen::Vector3d centre =
+            resolution_ * (Eigen::Vector3d(x, y, z).array() + 0.5).matrix();
+        const octomap::OcTreeNode* node = tree_->search(centre.x(), centre.y(), centre.z());
+        map.occupancy.push_back(node == nullptr ? 0.5F : static_cast<float>(node->getOccupancy()));
+      }
+    }
+  }
+  read_no_clusters(map);
+}
+
+}  // namespace baselines

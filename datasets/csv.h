@@ -1,0 +1,66 @@
+#pragma once
+/// Tables of numbers as text: strict reading, numbers that read back to the same bits (no paper
+/// section).
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace datasets {
+
+class CsvWriter {
+ public:
+  /// Write `header` as the first line.
+  /// @throws ldm::InvalidInput if the file cannot be created.
+  CsvWriter(const std::filesystem::path& file, std::string_view header);
+
+  CsvWriter& add(double value);
+  CsvWriter& add(std::int64_t value);
+  /// A word without comma or line break.
+  CsvWriter& add(std::string_view word);
+  void end_row();
+  /// @throws std::runtime_error if something could not be written.
+  void close();
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+  bool row_begun_ = false;
+};
+
+/// Reads row by row. Every error is an `ldm::InvalidInput` that says file, line and column.
+class CsvReader {
+ public:
+  /// @throws ldm::InvalidInput if the file cannot be read or its first line is not `header`.
+  CsvReader(const std::filesystem::path& file, std::string_view header);
+
+  /// False at the end of the file.
+  /// @throws ldm::InvalidInput on a row of another length than the header, or cut short.
+  bool next_row();
+  /// The next value of the row, which must be finite.
+  double number();
+  /// The next value of the row, which must lie in [min, max].
+  std::int64_t integer(std::int64_t min, std::int64_t max);
+  /// The next value of the row, as its position in `words`.
+  std::size_t choice(std::span<const std::string_view> words);
+  /// Throws ldm::InvalidInput: `file:line: message`.
+  [[noreturn]] void reject(const std::string& message) const;
+
+ private:
+  bool read_line();
+  std::string_view next_value();
+  [[noreturn]] void reject_value(const std::string& allowed) const;
+
+  std::string file_;
+  std::ifstream stream_;
+  std::int64_t line_number_ = 0;
+  std::string line_;
+  std::vector<std::string> columns_;
+  std::vector<std::string_view> values_;  // of line_
+  std::size_t next_ = 0;                  // position in values_
+};
+
+}  // namespace datasets

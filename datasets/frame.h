@@ -1,0 +1,66 @@
+#pragma once
+/// What every data source yields, frame by frame: the scan, and the truth where it is known.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ldm/types.h"
+
+namespace datasets {
+
+/// A solid of an obstacle, posed in the world frame. Its local z axis is its axis.
+struct Solid {
+  enum class Shape : std::uint8_t { kBox, kCylinder, kSphere };
+  Shape shape = Shape::kBox;
+  ldm::Pose T_world_solid;  ///< centre of the solid
+  /// Box: edge lengths. Cylinder: diameter, diameter, height. Sphere: diameter three times. [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+
+  /// True if p (world frame) lies inside or on the surface.
+  bool contains(const Eigen::Vector3d& p) const;
+};
+
+/// Truth of one obstacle in one frame.
+struct ObjectState {
+  std::int32_t id = 0;                                 ///< constant over the log, unique in it
+  bool dynamic = false;                                ///< it moves at some time of the log
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre of its bounding box, world [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< world [m/s]
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< world [m/s^2]
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();          ///< of its bounding box, world axes [m]
+  std::vector<Solid> solids;
+};
+
+struct Truth {
+  std::vector<ObjectState> objects;         ///< sorted by id
+  std::vector<ldm::Point> noise_free_hits;  ///< where the scan's rays meet obstacles, world [m]
+};
+
+struct Frame {
+  std::int64_t index = 0;  ///< from 0
+  ldm::Scan scan;
+  std::optional<Truth> truth;
+};
+
+/// A scenario being simulated, or a log being read. Frames stream: memory does not grow.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  /// Fill `frame` with the next one (its memory is reused); false after the last.
+  /// @throws ldm::InvalidInput naming file and place where a log is broken.
+  virtual bool next(Frame& frame) = 0;
+  /// Number of frames in all, where known beforehand.
+  virtual std::optional<std::int64_t> size() const = 0;
+};
+
+/// Which object owns each voxel of `window`: position in `truth.objects`, or -1 for free space.
+/// A voxel belongs to the first object that contains its centre. Output in window order.
+void solid_voxels(const Truth& truth, const ldm::VoxelBox& window, double resolution,
+                  std::vector<std::int32_t>& object_of_voxel);
+
+/// Set of the voxels of `window` that noise-free rays hit (1) or not (0). Output in window order.
+void visible_voxels(const Truth& truth, const ldm::VoxelBox& window, double resolution,
+                    std::vector<std::uint8_t>& visible);
+
+}  // namespace datasets

@@ -1,0 +1,98 @@
+#include "experiments/listings.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "experiments/text.h"
+
+namespace experiments {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest cell; the last one is left ragged.
+void print(const std::vector<Row>& rows, std::ostream& out) {
+  std::vector<std::size_t> width(rows.empty() ? 0 : rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  }
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i];
+      if (i + 1 < row.size()) line.append(width[i] - row[i].size() + 2, ' ');
+    }
+    out << line << '\n';
+  }
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+/// The allowed values of a parameter in words.
+struct RangeText {
+  const ldm::ParameterInfo& info;
+
+  template <class T>
+  std::string operator()(const T&) const {
+    return number(info.min).append("..").append(number(info.max));
+  }
+  std::string operator()(bool) const { return "true|false"; }
+  template <class E, class Names>
+  std::string operator()(const E&, const Names& names) const {
+    return joined(names, "|");
+  }
+};
+
+}  // namespace
+
+void list_methods(std::ostream& out) {
+  std::vector<Row> rows;
+  for (const Method& method : methods()) {
+    rows.push_back({std::string(method.name), std::string(method.help)});
+  }
+  print(rows, out);
+}
+
+void list_scenarios(const DataFolders& folders, std::ostream& out) {
+  std::vector<Row> rows;
+  for (const std::string& name : folders.scenarios.names()) {
+    rows.push_back({name, datasets::read_scenario(folders.scenarios.file(name)).title});
+  }
+  print(rows, out);
+}
+
+void list_parameters(const std::optional<std::string>& name, std::ostream& out) {
+  const Method* const method = name ? &find_method(*name) : nullptr;
+  const ldm::Parameters parameters = method ? default_parameters(*method) : ldm::Parameters{};
+  std::vector<Row> rows = {{"name", "symbol", "value", "unit", "range", "source", "meaning"}};
+  ldm::visit_parameters(parameters, [&](const ldm::ParameterInfo& info, const auto&... value) {
+    if (method != nullptr && !uses(*method, info.name)) return;
+    const auto cell = [](std::string_view text) { return text.empty() ? "-" : std::string(text); };
+    rows.push_back({cell(info.name), cell(info.symbol), ldm::get_parameter(parameters, info.name),
+                    cell(info.unit), RangeText{info}(value...), cell(info.source),
+                    cell(info.help)});
+  });
+  print(rows, out);
+}
+
+void list_studies(const DataFolders& folders, std::ostream& out) {
+  std::vector<Row> rows;
+  for (const std::string& name : folders.studies.names()) {
+    const Study study = read_study(folders.studies.file(name), folders.scenarios);
+    rows.push_back({name, std::to_string(study.trial_count()), study.title});
+  }
+  print(rows, out);
+}
+
+void list_trials(const std::string& name, const StudyOptions& options, const DataFolders& folders,
+                 std::ostream& out) {
+  const Study study = read_study(folders.studies.file(name), folders.scenarios, options);
+  for (const Trial& trial : trials(study)) out << trial_id(study, trial) << '\n';
+}
+
+}  // namespace experiments

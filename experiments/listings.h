@@ -1,0 +1,24 @@
+#pragma once
+/// What there is, as text tables: methods, scenarios, parameters, studies, trials (no paper
+/// section).
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "experiments/data_folders.h"
+#include "experiments/study.h"
+
+namespace experiments {
+
+/// Each throws ldm::InvalidInput on an unknown name or a broken file.
+void list_methods(std::ostream& out);
+void list_scenarios(const DataFolders& folders, std::ostream& out);
+/// With the values of one method, and only what it uses; without one the defaults.
+void list_parameters(const std::optional<std::string>& method, std::ostream& out);
+/// Name, number of trials, title.
+void list_studies(const DataFolders& folders, std::ostream& out);
+/// The id of every trial, one a line.
+void list_trials(const std::string& study, const StudyOptions& options, const DataFolders& folders,
+                 std::ostream& out);
+
+}  // namespace experiments

@@ -1,0 +1,200 @@
+/// The program `ldm`: command line to calls. Exit codes: 0 good, 1 the run failed, 2 bad input.
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/listings.h"
+#include "experiments/plugins.h"
+#include "experiments/provenance.h"
+#include "experiments/run.h"
+#include "experiments/simulate.h"
+#include "experiments/text.h"
+#include "experiments/trial.h"
+
+namespace {
+
+using experiments::DataFolders;
+
+enum ExitCode { kGood = 0, kFailed = 1, kBadInput = 2 };
+
+int complain(std::string_view message, ExitCode code) {
+  std::cerr << "ldm: " << experiments::single_line(message) << '\n';
+  return code;
+}
+
+std::string version() {
+  const experiments::Provenance p = experiments::provenance();
+  return "ldm " + p.version + " (commit " + p.commit + (p.dirty ? ", changed" : "") + ", binary " +
+         p.binary + ")";
+}
+
+/// The command line: options land in the members, `action` is what the chosen subcommand does.
+class CommandLine {
+ public:
+  explicit CommandLine(std::vector<std::string> words) : words_(std::move(words)) {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", version);
+    app_.add_option("--data-dir", data_dir_,
+                    "folder with datasets/scenarios and experiments/studies");
+    repeatable(
+        app_.add_option("--plugin", plugins_, "shared object with more methods; may be repeated"));
+    app_.fallthrough();  // these may also follow the subcommand
+    app_.get_formatter()->column_width(34);
+    add_lists();
+    add_simulate();
+    add_run();
+    add_trial();
+  }
+
+  int execute(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+      return app_.exit(help);
+    } catch (const CLI::ParseError& error) {
+      return complain(reason(error) + " (see ldm --help)", kBadInput);
+    }
+    for (const std::string& file : plugins_) experiments::load_plugin(file);
+    return action_();
+  }
+
+ private:
+  /// CLI11 calls a misspelt subcommand a missing one.
+  std::string reason(const CLI::ParseError& error) const {
+    const std::vector<std::string> unknown = app_.remaining();
+    if (unknown.empty() || !app_.get_subcommands().empty()) return error.what();
+    std::vector<std::string> known;
+    for (const CLI::App* command : app_.get_subcommands({})) known.push_back(command->get_name());
+    return "unknown subcommand " + unknown.front() + ": allowed: " + experiments::joined(known);
+  }
+
+  CLI::App* add(const std::string& name, const std::string& help, const std::string& example,
+                std::function<int()> action) {
+    CLI::App* command = app_.add_subcommand(name, help);
+    command->footer("Example: " + example);
+    command->callback([this, action = std::move(action)] { action_ = action; });
+    return command;
+  }
+
+  /// One value each time it is given.
+  static void repeatable(CLI::Option* option) {
+    option->expected(1)->allow_extra_args(false)->multi_option_policy(
+        CLI::MultiOptionPolicy::TakeAll);
+  }
+
+  /// A subcommand that prints.
+  CLI::App* add_list(const std::string& name, const std::string& help, const std::string& example,
+                     std::function<void()> print) {
+    return add(name, help, example, [print = std::move(print)] {
+      print();
+      return std::cout.flush() ? kGood : complain("standard output cannot be written", kFailed);
+    });
+  }
+
+  void add_lists() {
+    add_list("methods", "list the methods", "ldm methods",
+             [] { experiments::list_methods(std::cout); });
+    add_list("scenarios", "list the scenarios", "ldm scenarios",
+             [this] { experiments::list_scenarios(folders(), std::cout); });
+    add_list("studies", "list the studies with their number of trials", "ldm studies",
+             [this] { experiments::list_studies(folders(), std::cout); });
+    add_list("parameters", "list the parameters, or those of one method with its values",
+             "ldm parameters circular_buffer",
+             [this] { experiments::list_parameters(method_, std::cout); })
+        ->add_option("METHOD", method_, "a method that `ldm methods` lists");
+    CLI::App* trials = add_list(
+        "trials", "list the trials of a study", "ldm trials table1 --seeds 2",
+        [this] { experiments::list_trials(trial_.study, trial_.options, folders(), std::cout); });
+    add_study_options(trials);
+  }
+
+  void add_simulate() {
+    CLI::App* command = add("simulate", "record a scenario as a log, with its truth beside it",
+                            "ldm simulate scenario1 --seed 1 --frames 100 -o out.rawlog", [this] {
+                              experiments::simulate(simulate_, folders());
+                              return kGood;
+                            });
+    command->add_option("SCENARIO", simulate_.scenario, "name or .toml file")->required();
+    command->add_option("--seed", simulate_.seed, "of the world")->capture_default_str();
+    command->add_option("--frames", simulate_.frames, "default: the scenario's")
+        ->check(CLI::PositiveNumber);
+    command->add_option("-o,--output", simulate_.output, "FILE.rawlog")->required();
+  }
+
+  void add_run() {
+    CLI::App* command =
+        add("run", "run a method; writes clusters.csv, timing.csv and summary.json",
+            "ldm run ldm scenario1 -o out --set particles.count=50000 --frames 300", [this] {
+              run_.command = experiments::command_line(words_);
+              experiments::run(run_, folders());
+              return kGood;
+            });
+    command->add_option("METHOD", run_.method, "a method that `ldm methods` lists")->required();
+    command->add_option("INPUT", run_.input, "scenario (name or .toml file) or .rawlog file")
+        ->required();
+    command->add_option("-o,--output", run_.output, "folder, made if it is missing")->required();
+    command->add_option("-c,--config", run_.config, "TOML file of parameters");
+    repeatable(
+        command->add_option("--set", run_.settings, "name=value of a parameter; may be repeated"));
+    command->add_option("--seed", run_.seed, "of a scenario's world (default 1)");
+    command->add_option("--frames", run_.frames, "stop after so many")->check(CLI::PositiveNumber);
+  }
+
+  void add_trial() {
+    CLI::App* command =
+        add("trial", "run one trial of a study and write its record",
+            "ldm trial table1 scenario1.ldm.s001 -o record.json", [this] { return run_trial(); });
+    add_study_options(command);
+    command->add_option("ID", trial_.id, "an id that `ldm trials STUDY` lists")->required();
+    command->add_option("-o,--output", record_file_, "FILE.json")->required();
+    command->add_flag("--serial", trial_.serial,
+                      "nothing else runs beside it: mark the times as such and keep all samples");
+  }
+
+  void add_study_options(CLI::App* command) {
+    command->add_option("STUDY", trial_.study, "name or .toml file")->required();
+    command->add_option("--seeds", trial_.options.seeds, "replicates, instead of the study's")
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--frames", trial_.options.frames, "per trial, instead of the study's")
+        ->check(CLI::Range(1, 1000000));
+    repeatable(command->add_option("--method", trial_.options.methods,
+                                   "instead of the study's methods; may be repeated"));
+  }
+
+  int run_trial() {
+    trial_.data_dir = data_dir_;
+    trial_.plugins = plugins_;
+    const experiments::TrialRecord record = experiments::run_trial(trial_);
+    experiments::write_record(record, record_file_);
+    if (!record.error) return kGood;
+    return complain("trial " + record.id + " failed: " + *record.error, kFailed);
+  }
+
+  DataFolders folders() const { return DataFolders(data_dir_); }
+
+  CLI::App app_{"Local dynamic maps for UAVs: the method, its baselines and their study.", "ldm"};
+  std::vector<std::string> words_;
+  std::function<int()> action_;
+  std::optional<std::string> data_dir_;
+  std::vector<std::string> plugins_;
+  std::optional<std::string> method_;
+  experiments::SimulateRequest simulate_;
+  experiments::RunRequest run_;
+  experiments::TrialRequest trial_;
+  std::filesystem::path record_file_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return CommandLine({argv, argv + argc}).execute(argc, argv);
+  } catch (const ldm::InvalidInput& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kFailed);
+  }
+}

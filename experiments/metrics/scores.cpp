@@ -1,0 +1,110 @@
+#include "experiments/metrics/scores.h"
+
+namespace experiments {
+namespace {
+
+using Value = std::optional<double>;
+
+Value ratio(double part, double whole) {
+  return whole > 0 ? Value(part / whole) : std::nullopt;
+}
+Value ratio(std::int64_t part, std::int64_t whole) {
+  return ratio(static_cast<double>(part), static_cast<double>(whole));
+}
+Value percent(Value share) {
+  return share ? Value(100 * *share) : std::nullopt;
+}
+/// A count, where a frame was scored at all.
+Value count(const OccupancyTally& t, std::int64_t voxels) {
+  return t.frames > 0 ? Value(static_cast<double>(voxels)) : std::nullopt;
+}
+
+Value accuracy(const Tallies& t) {
+  return percent(ratio(t.occupancy.matched(), t.occupancy.voxels));
+}
+Value accuracy_visible(const Tallies& t) {
+  const OccupancyTally& o = t.occupancy;
+  return percent(ratio(o.voxels - o.case1_visible - o.case2_visible, o.voxels));
+}
+Value case1(const Tallies& t) {
+  return count(t.occupancy, t.occupancy.case1);
+}
+Value case2(const Tallies& t) {
+  return count(t.occupancy, t.occupancy.case2);
+}
+Value case1_visible(const Tallies& t) {
+  return count(t.occupancy, t.occupancy.case1_visible);
+}
+Value case2_grown(const Tallies& t) {
+  return count(t.occupancy, t.occupancy.case2_grown);
+}
+Value mixed(const Tallies& t) {
+  return ratio(t.occupancy.case1_visible + t.occupancy.case2_grown, t.occupancy.frames);
+}
+Value precision(const Tallies& t) {
+  return ratio(t.occupancy.true_positives, t.occupancy.true_positives + t.occupancy.case2);
+}
+Value recall(const Tallies& t) {
+  return ratio(t.occupancy.true_positives, t.occupancy.true_positives + t.occupancy.case1);
+}
+Value f1(const Tallies& t) {
+  const OccupancyTally& o = t.occupancy;
+  return ratio(2 * o.true_positives, 2 * o.true_positives + o.case1 + o.case2);
+}
+Value brier(const Tallies& t) {
+  return ratio(t.occupancy.squared_error, static_cast<double>(t.occupancy.known));
+}
+Value static_error(const Tallies& t) {
+  return t.velocity.error(false).value();
+}
+Value dynamic_error(const Tallies& t) {
+  return t.velocity.error(true).value();
+}
+Value static_steady(const Tallies& t) {
+  return t.velocity.steady_error(false).value();
+}
+Value dynamic_steady(const Tallies& t) {
+  return t.velocity.steady_error(true).value();
+}
+Value time_to_converge(const Tallies& t) {
+  return t.velocity.time_to_converge().value();
+}
+Value not_converged(const Tallies& t) {
+  return percent(t.velocity.not_converged().value());
+}
+Value missed(const Tallies& t) {
+  return percent(t.velocity.missed().value());
+}
+Value clusters_without(const Tallies& t) {
+  return t.velocity.clusters_without_object().value();
+}
+
+constexpr Score kScores[] = {
+    {"accuracy_pct", accuracy},
+    {"case1_voxels", case1},
+    {"case2_voxels", case2},
+    {"accuracy_visible_pct", accuracy_visible},
+    {"case1_visible_voxels", case1_visible},
+    {"case2_grown_voxels", case2_grown},
+    {"mixed_voxels_per_frame", mixed},
+    {"precision", precision},
+    {"recall", recall},
+    {"f1", f1},
+    {"brier", brier},
+    {"static_velocity_error_mps", static_error},
+    {"dynamic_velocity_error_mps", dynamic_error},
+    {"static_velocity_error_steady_mps", static_steady},
+    {"dynamic_velocity_error_steady_mps", dynamic_steady},
+    {"time_to_converge_s", time_to_converge},
+    {"stays_not_converged_pct", not_converged},
+    {"objects_missed_pct", missed},
+    {"clusters_without_object_per_frame", clusters_without},
+};
+
+}  // namespace
+
+std::span<const Score> scores() {
+  return kScores;
+}
+
+}  // namespace experiments

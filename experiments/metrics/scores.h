@@ -1,0 +1,26 @@
+#pragma once
+/// The table of scores: name, unit, and how each follows from the counts (experiments/RECORD.md).
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "experiments/metrics/occupancy_score.h"
+#include "experiments/metrics/velocity_score.h"
+
+namespace experiments {
+
+struct Tallies {
+  OccupancyTally occupancy;
+  VelocityTally velocity;  ///< stays empty for a method without clusters
+};
+
+/// One row. The value is absent where the score is not defined.
+struct Score {
+  std::string_view name;  ///< unit at its end
+  std::optional<double> (*value)(const Tallies&);
+};
+
+/// In the order of the record. A new score is one function and its row.
+std::span<const Score> scores();
+
+}  // namespace experiments

@@ -1,0 +1,58 @@
+#pragma once
+/// Ground truth of one frame on the grid of the local map (paper Sec. 4.1.2).
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "datasets/frame.h"
+#include "ldm/types.h"
+
+namespace experiments {
+
+/// Which voxels of a window are solid, which are visible, and which objects are near.
+class TruthGrid {
+ public:
+  /// Memory is reused from frame to frame.
+  void fill(const datasets::Truth& truth, const ldm::VoxelBox& window, double resolution);
+
+  const ldm::VoxelBox& window() const { return window_; }
+  /// Number of objects in the truth.
+  std::size_t objects() const { return objects_; }
+
+  /// Position in `truth.objects` of the object that holds the voxel's centre, or -1. Requires v in
+  /// the window or beside it.
+  std::int32_t object(const ldm::VoxelIndex& v) const { return owner_[padded_.index(v)]; }
+  bool solid(const ldm::VoxelIndex& v) const { return object(v) >= 0; }
+  /// True if a noise-free ray hits the voxel. Requires v in the window.
+  bool visible(const ldm::VoxelIndex& v) const { return visible_[window_.index(v)] != 0; }
+
+  /// The objects that own v or one of its 26 neighbours; the first `count` are valid.
+  struct Near {
+    std::array<std::int32_t, 27> objects;
+    std::size_t count = 0;
+  };
+  /// Requires v in the window.
+  Near objects_near(const ldm::VoxelIndex& v) const;
+
+ private:
+  ldm::VoxelBox window_;
+  ldm::VoxelBox padded_;  ///< one voxel wider all round: objects beside the window count as near
+  std::size_t objects_ = 0;
+  std::vector<std::int32_t> owner_;
+  std::vector<std::uint8_t> visible_;
+};
+
+/// Calls `visit(v, i)` for each voxel of a box and its position i in window order.
+template <class Visitor>
+void for_each_voxel(const ldm::VoxelBox& box, Visitor&& visit) {
+  const ldm::VoxelIndex end = box.origin + box.size;
+  std::size_t i = 0;
+  ldm::VoxelIndex v;
+  for (v.z() = box.origin.z(); v.z() < end.z(); ++v.z()) {
+    for (v.y() = box.origin.y(); v.y() < end.y(); ++v.y()) {
+      for (v.x() = box.origin.x(); v.x() < end.x(); ++v.x()) visit(v, i++);
+    }
+  }
+}
+
+}  // namespace experiments

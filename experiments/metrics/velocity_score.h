@@ -1,0 +1,95 @@
+#pragma once
+/// Sums behind the scores of the estimated velocities (paper Sec. 4.1.3).
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "ldm/types.h"
+
+namespace experiments {
+
+/// One object in one frame, in the map or not.
+struct Observation {
+  std::int32_t object = 0;
+  bool dynamic = false;
+  double time = 0;  ///< [s]
+  bool in_map = false;
+  bool visible = false;
+  Eigen::Vector3d true_velocity = Eigen::Vector3d::Zero();  ///< [m/s]
+  std::optional<Eigen::Vector3d> velocity;                  ///< of the matched cluster [m/s]
+};
+
+/// Mean of what was added; none of nothing.
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  std::int64_t count() const { return count_; }
+  std::optional<double> value() const {
+    return count_ > 0 ? std::optional(sum_ / static_cast<double>(count_)) : std::nullopt;
+  }
+
+ private:
+  double sum_ = 0;
+  std::int64_t count_ = 0;
+};
+
+/// Follows every object through its stays in the map.
+class VelocityTally {
+ public:
+  static constexpr double kSettling = 2.0;       ///< errors count from here on after entering [s]
+  static constexpr double kAfterReversal = 1.5;  ///< not steady for so long [s]
+  static constexpr double kConverged = 0.3;      ///< error below which an estimate is good [m/s]
+  static constexpr double kConvergedTime = 0.5;  ///< for how long without a break [s]
+  static constexpr double kStanding = 0.05;      ///< slower is at rest [m/s]
+
+  /// Frames in the order of time; every object of the truth in every frame, so that its reversals
+  /// out of the map are known.
+  void add(const Observation& seen);
+  /// One frame's clusters that overlap no object.
+  void add_clusters_without_object(std::int64_t count);
+  /// Ends the stays that are still open. Nothing may be added afterwards.
+  void finish();
+
+  const Mean& error(bool dynamic) const { return error_[dynamic]; }
+  /// Outside 1.5 s after a reversal (a turn by more than 90 degrees from frame to frame), a stop or
+  /// a start.
+  const Mean& steady_error(bool dynamic) const { return steady_error_[dynamic]; }
+  /// Of the stays of dynamic objects that converged [s].
+  const Mean& time_to_converge() const { return time_to_converge_; }
+  /// 1 per stay of a dynamic object of at least 2 s that never converged, 0 per other such stay.
+  const Mean& not_converged() const { return not_converged_; }
+  /// 1 per frame of an object with a visible voxel and no matched cluster, 0 per other such frame.
+  const Mean& missed() const { return missed_; }
+  const Mean& clusters_without_object() const { return clusters_without_object_; }
+
+ private:
+  struct Stay {
+    double entered = 0;                ///< [s]
+    double last = 0;                   ///< [s]
+    std::optional<double> good_since;  ///< [s]
+    bool converged = false;
+  };
+  struct Track {
+    std::optional<Eigen::Vector3d> velocity;  ///< true one of the frame before
+    std::optional<double> reversed;           ///< time of the last reversal, stop or start [s]
+    bool dynamic = false;
+    std::optional<Stay> stay;
+  };
+
+  void note_reversal(Track& track, const Observation& seen) const;
+  void note_convergence(Stay& stay, const Observation& seen);
+  void end_stay(Track& track);
+
+  std::map<std::int32_t, Track> tracks_;
+  Mean error_[2];         // static, dynamic
+  Mean steady_error_[2];  // static, dynamic
+  Mean time_to_converge_;
+  Mean not_converged_;
+  Mean missed_;
+  Mean clusters_without_object_;
+};
+
+}  // namespace experiments

@@ -1,0 +1,27 @@
+#pragma once
+/// A file that exists under its name only when it is complete (no paper section).
+#include <filesystem>
+#include <fstream>
+
+namespace experiments {
+
+/// Writes to a hidden temporary name beside the final one; without `commit` nothing is left.
+class PartialFile {
+ public:
+  /// @throws ldm::InvalidInput if the folder cannot be written.
+  explicit PartialFile(std::filesystem::path final_name);
+  ~PartialFile();
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  std::ostream& stream() { return stream_; }
+  /// Give the file its final name, in place of an older one.
+  /// @throws std::runtime_error if something could not be written.
+  void commit();
+
+ private:
+  std::filesystem::path final_name_, temporary_name_;
+  std::ofstream stream_;
+};
+
+}  // namespace experiments

@@ -1,0 +1,61 @@
+#pragma once
+/// The measurement flag grid: ray casting a scan into occupied, free and shadow: paper Sec. 3.3.2.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ldm/parameters.h"
+#include "ldm/types.h"
+
+namespace ldm {
+
+/// One byte a voxel; where two rays disagree, the larger flag wins: a hit beats a crossing, a
+/// crossing beats a shadow, and of two shadows the one nearer to its obstacle.
+namespace flag {
+inline constexpr std::uint8_t kNone = 0;      ///< no ray came here: out of the sensor's view
+inline constexpr std::uint8_t kShadow = 253;  ///< 1..253: behind an obstacle, 253 just behind it
+inline constexpr std::uint8_t kFree = 254;
+inline constexpr std::uint8_t kOccupied = 255;
+/// A shadow flag falls by one each half voxel behind the obstacle; 1 means 126 voxels or more.
+inline constexpr float kStepsPerVoxel = 2;
+/// Distance behind the obstacle that a shadow flag stands for [voxels].
+inline float shadow_distance(std::uint8_t f) {
+  return static_cast<float>(kShadow - f) / kStepsPerVoxel;
+}
+}  // namespace flag
+
+/// The flags of one scan. As in Usenko et al., one ray is cast for each voxel with a return, from
+/// the sensor to the voxel's centre; a return beyond the map, or none, gives a ray to the border.
+class MeasurementFlags {
+ public:
+  /// `shadows` says whether rays go on behind their return: needed by eq. 10 alone.
+  MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows);
+
+  /// Replace all flags by those of `scan` in `window`.
+  /// Cost: the points, and the voxels their rays cross.
+  void mark(const Scan& scan, const VoxelBox& window);
+
+  /// In window order (see VoxelBox::index).
+  std::span<const std::uint8_t> flags() const { return flags_; }
+
+ private:
+  void mark_ends(const Scan& scan);
+  void leave(const Eigen::Vector3f& direction, float reach);
+  void end_in(const VoxelIndex& voxel, std::uint8_t flag, std::vector<VoxelIndex>& ends);
+  void cast(const VoxelIndex& end, bool hit);
+  void raise(std::size_t index, std::uint8_t flag) {
+    if (flags_[index] < flag) flags_[index] = flag;
+  }
+
+  double resolution_;
+  bool use_no_returns_;
+  bool shadows_;
+  VoxelBox window_;
+  Eigen::Vector3f sensor_;     // in voxels from the window's lowest corner
+  bool sensor_inside_ = true;  // the window
+  std::vector<std::uint8_t> flags_;
+  std::vector<VoxelIndex> hits_;     // voxels with a return, each once, from the window's lowest
+  std::vector<VoxelIndex> borders_;  // voxels in which rays leave the map, each once
+};
+
+}  // namespace ldm

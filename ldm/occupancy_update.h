@@ -1,0 +1,50 @@
+#pragma once
+/// Occupancy update: measurement and survival: paper Sec. 3.3.2, Eq. (8)-(10).
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ldm/parameters.h"
+#include "ldm/ring_buffer.h"
+
+namespace ldm {
+
+/// Log-odds of one measurement, by the flag of its voxel.  Eq. (9)
+struct MeasurementLogOdds {
+  float occupied;
+  float free;
+  explicit MeasurementLogOdds(const SensorModelParameters& p);
+};
+
+/// What one frame does to the log-odds of each voxel.
+class OccupancyUpdate {
+ public:
+  /// Without `survival` a voxel that no ray met keeps its log-odds, as in Usenko et al.
+  OccupancyUpdate(const MapParameters& map, const SensorModelParameters& sensor,
+                  const SurvivalParameters& survival);
+
+  /// Adds the measurements to the voxels with a hit or a crossing ray and lets the others decay.
+  /// `flags` in window order; `log_odds` and `kept` in slots. `kept` is 1 where a static object
+  /// stood at k - 1, empty if nothing is static.
+  void apply(std::span<const std::uint8_t> flags, std::span<const std::uint8_t> kept,
+             RingBuffer<float>& log_odds) const;
+
+  /// l_k = l_{k-1} + l(z), within the clamps.  Eq. (8)
+  float measured(float l, float l_z) const;
+  /// l_k = l_{k-1} P_s; 0 once nothing is left, as denormal numbers slow every frame.  Eq. (10)
+  static float survived(float l, float p_s) {
+    const float rest = l * p_s;
+    return rest * rest < 1e-12F ? 0 : rest;
+  }
+  /// P_s of a voxel that held no static object, by its flag: out of view, or in a shadow.
+  float survival(std::uint8_t flag) const { return factor_[flag]; }
+
+ private:
+  float min_;
+  float max_;
+  std::array<float, 256> factor_;  // by flag: P_s; 1 for a measured voxel
+  std::array<float, 256> gain_;    // by flag: l(z); 0 for an unmeasured voxel
+};
+
+}  // namespace ldm

@@ -1,0 +1,296 @@
+#include "ldm/particles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "ldm/log_odds.h"
+
+namespace ldm {
+namespace {
+
+constexpr double kOneWeight = 1 << 24;
+constexpr int kClaimBits = 32;
+
+/// Fraction bits of a position that fits 16 bits for any voxel of the map.
+int fraction_bits(const Eigen::Vector3i& voxels) {
+  return 16 - std::bit_width(static_cast<unsigned>(voxels.maxCoeff() - 1));
+}
+
+std::int16_t saturated(int v) {
+  return static_cast<std::int16_t>(std::clamp(v, -32768, 32767));
+}
+
+std::int16_t quantised(float v) {
+  const float units = v / static_cast<float>(Particle::kVelocityQuantum);
+  return saturated(static_cast<int>(std::lround(std::clamp(units, -40000.0F, 40000.0F))));
+}
+
+/// x_k = x_{k-1} + dt v_k along one axis of the window, in fixed point.  Eq. (5)
+class AxisMotion {
+ public:
+  AxisMotion(int voxels, int origin_slot, int fraction_bits, double voxels_per_mps)
+      : extent_(voxels << fraction_bits),
+        origin_(origin_slot << fraction_bits),
+        step_(std::llround(std::min(
+            voxels_per_mps * std::ldexp(Particle::kVelocityQuantum, fraction_bits + kStepBits),
+            kLongestStep))) {}
+
+  /// Moves x; false if that leaves the window.
+  bool move(std::uint16_t& x, std::int16_t v) const {
+    int from_lowest = x - origin_;
+    from_lowest += from_lowest < 0 ? extent_ : 0;
+    from_lowest += static_cast<int>((v * step_ + (1 << (kStepBits - 1))) >> kStepBits);
+    const bool inside = static_cast<unsigned>(from_lowest) < static_cast<unsigned>(extent_);
+    const int moved = from_lowest + origin_;
+    x = static_cast<std::uint16_t>(moved < extent_ ? moved : moved - extent_);
+    return inside;
+  }
+
+ private:
+  static constexpr int kStepBits = 16;
+  static constexpr double kLongestStep = 1U << 31;  // after minutes; no velocity overflows an int
+  int extent_;
+  int origin_;
+  std::int64_t step_;  // position units per velocity unit, times 2^kStepBits
+};
+
+}  // namespace
+
+void VelocitySum::add(const VelocitySum& other) {
+  x += other.x;
+  y += other.y;
+  z += other.z;
+  particles += other.particles;
+}
+
+Velocity VelocitySum::mean() const {
+  if (particles == 0) return Velocity::Zero();
+  const double unit = Particle::kVelocityQuantum / static_cast<double>(particles);
+  return Eigen::Vector3d(static_cast<double>(x) * unit, static_cast<double>(y) * unit,
+                         static_cast<double>(z) * unit)
+      .cast<float>();
+}
+
+Particles::Particles(const MapParameters& map, const ParticleParameters& particles,
+                     const ClusterParameters& clusters, std::uint64_t seed, const RingIndex& index)
+    : resolution_(map.resolution),
+      n_init_(static_cast<std::size_t>(particles.count)),
+      min_per_voxel_(static_cast<std::uint32_t>(particles.min_per_voxel)),
+      birth_(particles.birth),
+      occupied_above_(static_cast<float>(log_odds(clusters.occupied_above))),
+      fraction_bits_(fraction_bits(map.voxels)),
+      noise_xy_(particles.sigma_xy / Particle::kVelocityQuantum),
+      noise_z_(particles.sigma_z / Particle::kVelocityQuantum),
+      seed_(seed),
+      particles_(n_init_ + 1),
+      resampled_(n_init_ + 1),
+      count_(index.count() + 1) {
+  voxels_.reserve(std::min(index.count(), n_init_) + 1);
+  claims_.reserve(voxels_.capacity());
+  scatter_uniformly(index);
+}
+
+void Particles::scatter_uniformly(const RingIndex& index) {
+  const RandomStream stream(seed_, Purpose::kInitial, frame_);
+  const Eigen::Vector3i& n = index.window().size;
+  const auto along = [&](int axis, std::uint64_t bits) {  // a position from 16 random bits
+    const auto extent = static_cast<std::uint64_t>(n[axis]) << fraction_bits_;
+    return static_cast<std::uint16_t>(((bits & 0xffff) * extent) >> 16);
+  };
+  for (std::size_t i = 0; i < n_init_; ++i) {
+    const std::uint64_t at = stream.bits(2 * i);
+    Particle& p = particles_[i];
+    p = {along(0, at), along(1, at >> 16), along(2, at >> 32), 0, 0, 0, 0};
+    predict_velocity(p, stream.bits(2 * i + 1));
+    p.slot = static_cast<std::uint32_t>(
+        (p.x >> fraction_bits_) +
+        n.x() * ((p.y >> fraction_bits_) + n.y() * (p.z >> fraction_bits_)));
+  }
+  std::sort(particles_.begin(), particles_.end() - 1,
+            [](const Particle& a, const Particle& b) { return a.slot < b.slot; });
+}
+
+void Particles::predict_velocity(Particle& p, std::uint64_t bits) const {
+  p.vx = saturated(p.vx + noise_xy_(bits));
+  p.vy = saturated(p.vy + noise_xy_(bits >> NormalTable::kBits));
+  p.vz = saturated(p.vz + noise_z_(bits >> 2 * NormalTable::kBits));
+}
+
+void Particles::predict(double dt, const RingIndex& index) {
+  const RandomStream stream(seed_, Purpose::kPrediction, ++frame_);
+  const Eigen::Vector3i& n = index.window().size;
+  const auto axis = [&](int a) {
+    return AxisMotion(n[a], index.origin_slot()[a], fraction_bits_, dt / resolution_);
+  };
+  const AxisMotion along_x = axis(0);
+  const AxisMotion along_y = axis(1);
+  const AxisMotion along_z = axis(2);
+  const auto gone = static_cast<std::uint32_t>(index.count());
+  std::fill(count_.begin(), count_.end(), 0U);
+  const int f = fraction_bits_;
+  for (std::size_t i = 0; i < n_init_; ++i) {
+    // Fields go back one by one: a particle built on the stack and stored whole would wait for each
+    // of its parts (store forwarding), which doubles the time of the pass.
+    Particle& p = particles_[i];
+    predict_velocity(p, stream.bits(i));
+    const bool inside_x = along_x.move(p.x, p.vx);
+    const bool inside_y = along_y.move(p.y, p.vy);
+    const bool inside_z = along_z.move(p.z, p.vz);
+    const int slot = (p.x >> f) + n.x() * ((p.y >> f) + n.y() * (p.z >> f));
+    p.slot = (inside_x && inside_y && inside_z) ? static_cast<std::uint32_t>(slot) : gone;
+    ++count_[p.slot];
+  }
+  count_[gone] = 0;
+}
+
+void Particles::forget(std::size_t first, std::size_t n) {
+  std::fill_n(count_.begin() + static_cast<std::ptrdiff_t>(first), n, 0U);
+}
+
+std::uint64_t Particles::updated_weight(float l) const {
+  return static_cast<std::uint64_t>(
+      std::llround(kOneWeight * (1 / static_cast<double>(n_init_) + probability(l))));
+}
+
+std::uint64_t Particles::normalised(std::uint64_t weight, double claim_per_weight) {
+  return static_cast<std::uint64_t>(static_cast<double>(weight) * claim_per_weight) + 1;
+}
+
+void Particles::weigh(const RingBuffer<float>& map) {
+  const std::span<const float> log_odds = map.cells();
+  if (std::all_of(count_.begin(), count_.end(), [](std::uint32_t n) { return n == 0; })) {
+    scatter_uniformly(map.index());
+    for (std::size_t i = 0; i < n_init_; ++i) ++count_[particles_[i].slot];
+  }
+  const auto prior = static_cast<std::uint64_t>(kOneWeight / static_cast<double>(n_init_));
+  voxels_.assign(1, Voxel{});
+  total_weight_ = 0;
+  for (std::size_t slot = 0; slot < log_odds.size(); ++slot) {
+    const std::uint32_t count = count_[slot];
+    const bool needs_births = birth_ && count < min_per_voxel_ && log_odds[slot] > occupied_above_;
+    if (count == 0 && !needs_births) continue;
+    Voxel voxel{};
+    voxel.slot = static_cast<std::uint32_t>(slot);
+    voxel.count = count;
+    voxel.births = needs_births ? min_per_voxel_ - count : 0;
+    voxel.weight = updated_weight(log_odds[slot]);
+    voxel.birth_weight = voxel.weight - prior;
+    total_weight_ += voxel.count * voxel.weight + voxel.births * voxel.birth_weight;
+    count_[slot] = static_cast<std::uint32_t>(voxels_.size());
+    if (needs_births && count > 0) count_[slot] |= kHasBirths;
+    voxels_.push_back(voxel);
+  }
+}
+
+/// Lays the claims of all voxels end to end from `start`.
+void Particles::claim(std::uint64_t start) {
+  const double claim_per_weight = static_cast<double>(n_init_) * std::ldexp(1.0, kClaimBits) /
+                                  static_cast<double>(total_weight_);
+  claims_.assign(1, Claim{0, 0});
+  std::uint64_t next = start;
+  for (std::size_t i = 1; i < voxels_.size(); ++i) {
+    Voxel& voxel = voxels_[i];
+    const std::uint64_t step = normalised(voxel.weight, claim_per_weight);
+    // Particles that still name a voxel with none are forgotten ones: they claim nothing.
+    claims_.push_back({next, voxel.count > 0 ? step : 0});
+    // What is claimed beyond N_init, a trace of rounding, goes to the spare particle and is lost.
+    voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> kClaimBits, n_init_));
+    voxel.birth_weight = normalised(voxel.birth_weight, claim_per_weight);
+    next += voxel.count * step + voxel.births * voxel.birth_weight;
+  }
+}
+
+void Particles::resample(const RingIndex& index) {
+  claim(RandomStream(seed_, Purpose::kResampling, frame_).bits(0) >> (64 - kClaimBits));
+  for (std::size_t i = 0; i < n_init_; ++i) {
+    const Particle& p = particles_[i];
+    const std::uint32_t place = count_[p.slot];
+    Claim& claim = claims_[place & ~kHasBirths];
+    const std::uint64_t begin = claim.next >> kClaimBits;
+    claim.next += claim.step;
+    const std::uint64_t end = claim.next >> kClaimBits;
+    for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;
+    if ((place & kHasBirths) != 0) voxels_[place & ~kHasBirths].before.add(p);
+  }
+  bear(index);
+  particles_.swap(resampled_);
+}
+
+/// The newborn of each voxel, behind the copies of those that were there.
+void Particles::bear(const RingIndex& index) {
+  const RandomStream stream(seed_, Purpose::kBirth, frame_);
+  const Eigen::Vector3i& n = index.window().size;
+  for (std::size_t i = 1; i < voxels_.size(); ++i) {
+    const Voxel& voxel = voxels_[i];
+    if (voxel.births == 0) continue;
+    const int slot = static_cast<int>(voxel.slot);
+    const Eigen::Vector3i cell(slot % n.x(), slot / n.x() % n.y(), slot / n.x() / n.y());
+    const Eigen::Vector3i corner = cell * (1 << fraction_bits_);
+    std::uint64_t next = claims_[i].next;
+    for (std::uint32_t birth = 0; birth < voxel.births; ++birth) {
+      const std::uint64_t begin = next >> kClaimBits;
+      next += voxel.birth_weight;
+      const std::uint64_t end = next >> kClaimBits;
+      if (begin == end) continue;
+      const std::uint64_t draw = (std::uint64_t{voxel.slot} << 32) + 2 * birth;
+      Particle p = newborn(voxel, corner, stream.bits(draw));
+      predict_velocity(p, stream.bits(draw + 1));
+      for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;
+    }
+  }
+}
+
+Particle Particles::newborn(const Voxel& voxel, const Eigen::Vector3i& corner,
+                            std::uint64_t bits) const {
+  const Velocity mean = voxel.before.mean();
+  const auto along = [&](int axis, std::uint64_t random) {
+    const std::uint64_t within = random & ((std::uint64_t{1} << fraction_bits_) - 1);
+    return static_cast<std::uint16_t>(corner[axis] + static_cast<int>(within));
+  };
+  return {along(0, bits),      along(1, bits >> 16), along(2, bits >> 32),
+          quantised(mean.x()), quantised(mean.y()),  quantised(mean.z()),
+          voxel.slot};
+}
+
+std::span<Particle> Particles::slot_range(std::size_t slot) {
+  const std::size_t place = count_[slot] & ~kHasBirths;
+  if (place == 0) return {};
+  const std::size_t first = voxels_[place].first;
+  const std::size_t last = place + 1 < voxels_.size() ? voxels_[place + 1].first : n_init_;
+  return {particles_.data() + first, last - first};
+}
+
+std::span<const Particle> Particles::in_slot(std::size_t slot) const {
+  return const_cast<Particles*>(this)->slot_range(slot);
+}
+
+VelocitySum Particles::velocity_sum(std::size_t slot) const {
+  VelocitySum sum;
+  for (const Particle& p : in_slot(slot)) sum.add(p);
+  return sum;
+}
+
+void Particles::set_velocity(std::size_t slot, const Velocity& v) {
+  const std::int16_t vx = quantised(v.x());
+  const std::int16_t vy = quantised(v.y());
+  const std::int16_t vz = quantised(v.z());
+  for (Particle& p : slot_range(slot)) {
+    p.vx = vx;
+    p.vy = vy;
+    p.vz = vz;
+  }
+}
+
+Eigen::Vector3d Particles::position(const Particle& p, const RingIndex& index) const {
+  const Eigen::Vector3i at(p.x, p.y, p.z);
+  Eigen::Vector3d local;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int extent = index.window().size[axis] << fraction_bits_;
+    const int from_lowest = at[axis] - (index.origin_slot()[axis] << fraction_bits_);
+    local[axis] = (from_lowest < 0 ? from_lowest + extent : from_lowest) + 0.5;
+  }
+  return (local / (1 << fraction_bits_) + index.window().origin.cast<double>()) * resolution_;
+}
+
+}  // namespace ldm

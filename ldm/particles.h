@@ -1,0 +1,129 @@
+#pragma once
+/// The particle filter that finds velocities: paper Eq. (2)-(5), (11)-(15), Sec. 3.4.
+///
+/// One frame is two passes over the particles. `predict` moves them in place and counts them by
+/// voxel; `resample` copies each to where its copies belong, which sorts them by voxel as well. In
+/// between, `weigh` walks the voxels: after resampling all weights are equal, so the weight of
+/// eq. 11 is a number of the voxel, and no particle has to store one.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ldm/parameters.h"
+#include "ldm/random.h"
+#include "ldm/ring_buffer.h"
+
+namespace ldm {
+
+/// A particle in 16 bytes. Positions are fixed-point voxel coordinates modulo the map, like the
+/// slots of the ring buffer: the voxel is the integer part, so a moving map moves no particle.
+struct Particle {
+  std::uint16_t x, y, z;    ///< position [voxels / 2^fraction bits].  Eq. (2)
+  std::int16_t vx, vy, vz;  ///< velocity [kVelocityQuantum]; saturates at +-32 m/s.  Eq. (3)
+  std::uint32_t slot;       ///< of its voxel; the number of voxels once it has left the map
+
+  static constexpr double kVelocityQuantum = 1.0 / 1024;  ///< [m/s]
+};
+
+/// Sum of the velocities of some particles, in Particle::kVelocityQuantum: exact in any order.
+struct VelocitySum {
+  std::int64_t x = 0, y = 0, z = 0;
+  std::int64_t particles = 0;
+
+  void add(const Particle& p) {
+    x += p.vx;
+    y += p.vy;
+    z += p.vz;
+    ++particles;
+  }
+  void add(const VelocitySum& other);
+  /// The mean [m/s]; zero if there are no particles. All weights are equal: eq. 12 and 16.
+  Velocity mean() const;
+};
+
+class Particles {
+ public:
+  /// N_init particles, evenly over the window of `index`, velocities N(0, Sigma) (Sec. 3.1).
+  Particles(const MapParameters& map, const ParticleParameters& particles,
+            const ClusterParameters& clusters, std::uint64_t seed, const RingIndex& index);
+
+  /// Move all particles by dt [s]; those that leave the window of `index` are gone. Cost: one pass.
+  void predict(double dt, const RingIndex& index);
+  /// The voxels of slots [first, first + n) left the map (movement update), and their particles.
+  void forget(std::size_t first, std::size_t n);
+  /// Weights and births per voxel. If no particle is left in the map, N_init are drawn anew over
+  /// the window first. Cost: one pass over the map.
+  void weigh(const RingBuffer<float>& log_odds);
+  /// Back to N_init particles, sorted by slot, in proportion to weight: systematic resampling
+  /// (Kitagawa, 1996). Cost: one pass.
+  void resample(const RingIndex& index);
+
+  /// w_k = w_{k-1} + P(Occ) with w_{k-1} = 1 / N_init, in units of 2^-24.  Eq. (11)
+  std::uint64_t updated_weight(float log_odds) const;
+  /// w / mu: the part of N_init that a weight claims, in 2^-32 particles. Always rounded up: the
+  /// claims reach N_init.  Eq. (14)
+  static std::uint64_t normalised(std::uint64_t weight, double claim_per_weight);
+  /// mu_k: the sum of all weights after `weigh`, in units of 2^-24.  Eq. (15)
+  std::uint64_t total_weight() const { return total_weight_; }
+
+  /// All particles; sorted by slot after `resample`.
+  std::span<const Particle> all() const { return {particles_.data(), n_init_}; }
+  /// The particles in a slot, after `resample`. Cost: O(1).
+  std::span<const Particle> in_slot(std::size_t slot) const;
+  /// Sum over the particles in a slot, after `resample`.
+  VelocitySum velocity_sum(std::size_t slot) const;
+  /// V_k^j: mean velocity [m/s] of the particles in a slot after `resample`, or zero.  Eq. (12)
+  Velocity voxel_velocity(std::size_t slot) const { return velocity_sum(slot).mean(); }
+  /// Give all particles in a slot one velocity [m/s].  Eq. (17)
+  void set_velocity(std::size_t slot, const Velocity& v);
+  /// Position of a particle in the window of `index` [m], world frame; the middle of its quantum.
+  Eigen::Vector3d position(const Particle& p, const RingIndex& index) const;
+
+ private:
+  /// A voxel that holds particles, or in which some are to be born.
+  struct Voxel {
+    std::uint32_t slot;
+    std::uint32_t count;   // particles here before resampling
+    std::uint32_t births;  // particles to be born
+    std::uint32_t first;   // its first particle after resampling
+    std::uint64_t weight;  // of each particle here before
+    std::uint64_t birth_weight;
+    VelocitySum before;  // of the particles here before; only where there are births
+  };
+  /// The comb of systematic resampling runs through the claims of all particles, voxel by voxel.
+  struct Claim {
+    std::uint64_t next;  // where the next particle of this voxel begins [2^-32 particles]
+    std::uint64_t step;  // what each particle claims
+  };
+  static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in count_
+
+  void scatter_uniformly(const RingIndex& index);
+  void claim(std::uint64_t start);
+  void bear(const RingIndex& index);
+  /// v_k = v_{k-1} + sigma.  Eq. (4)
+  void predict_velocity(Particle& p, std::uint64_t bits) const;
+  /// V_k^j + sigma, evenly in the voxel at `corner`.  Eq. (13)
+  Particle newborn(const Voxel& voxel, const Eigen::Vector3i& corner, std::uint64_t bits) const;
+  std::span<Particle> slot_range(std::size_t slot);
+
+  double resolution_;
+  std::size_t n_init_;
+  std::uint32_t min_per_voxel_;
+  bool birth_;
+  float occupied_above_;  // log-odds
+  int fraction_bits_;
+  NormalTable noise_xy_;
+  NormalTable noise_z_;
+  std::uint64_t seed_;
+  std::uint64_t frame_ = 0;
+
+  std::vector<Particle> particles_;  // one more than N_init: see `normalised`
+  std::vector<Particle> resampled_;
+  std::vector<std::uint32_t> count_;  // per slot, and one for all that left: number of particles;
+                                      // from `weigh` on the place in voxels_, 0 for none
+  std::vector<Voxel> voxels_;         // in slot order; the first is nobody's
+  std::vector<Claim> claims_;         // beside voxels_
+  std::uint64_t total_weight_ = 0;
+};
+
+}  // namespace ldm

@@ -1,0 +1,88 @@
+#pragma once
+/// Shared words: points, poses, scans, voxels, clusters, with their units and frames (paper
+/// Sec. 3.1).
+///
+/// Frames: `world` (z up, fixed), `uav` (vehicle body), `sensor` (LiDAR). `T_world_sensor` maps
+/// sensor coordinates to world coordinates. Lengths in metres, times in seconds, velocities in
+/// metres a second, probabilities in [0, 1].
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace ldm {
+
+/// Bad data or a bad parameter: the message names the field, the value and what is allowed.
+struct InvalidInput : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+using Point = Eigen::Vector3f;     ///< [m], frame said by its holder
+using Velocity = Eigen::Vector3f;  ///< [m/s], world frame
+
+/// A rigid transform. No member needs over-aligned memory: the layout is the same for every -march.
+struct Pose {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< [m]
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return rotation * p + translation; }
+};
+
+/// One sweep of the LiDAR, with the pose it was taken from.
+struct Scan {
+  double time = 0;                ///< [s], never decreasing from scan to scan
+  Pose T_world_uav;               ///< the map is centred on the voxel of its translation
+  Pose T_world_sensor;            ///< origin of every ray
+  std::vector<Point> points;      ///< returns, sensor frame [m]
+  std::vector<Point> no_returns;  ///< unit directions of the rays without a return, sensor frame
+};
+
+/// Index of a voxel of the infinite grid: voxel v covers [v, v + 1) * resolution [m], world frame.
+using VoxelIndex = Eigen::Vector3i;
+
+/// The voxel that holds world point p [m].
+inline VoxelIndex voxel_at(const Eigen::Vector3d& p, double resolution) {
+  return (p / resolution).array().floor().cast<int>();
+}
+
+/// A box of voxels: origin (lowest voxel) and number of voxels per axis.
+struct VoxelBox {
+  VoxelIndex origin = VoxelIndex::Zero();
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();
+
+  /// Number of voxels in the box.
+  std::size_t count() const {
+    return static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
+           static_cast<std::size_t>(size.z());
+  }
+  bool contains(const VoxelIndex& v) const {
+    const VoxelIndex d = v - origin;
+    return (d.array() >= 0).all() && (d.array() < size.array()).all();
+  }
+  /// Row-major position of v in the box, x fastest: the order of every array of `LocalMap`.
+  std::size_t index(const VoxelIndex& v) const {
+    const VoxelIndex d = v - origin;
+    return static_cast<std::size_t>(d.x() + size.x() * (d.y() + size.y() * d.z()));
+  }
+};
+
+/// A group of connected occupied voxels (Sec. 3.5).
+struct Cluster {
+  Point position = Point::Zero();        ///< mean of its voxels' centres, world frame [m]
+  Point size = Point::Zero();            ///< extent of its voxels' bounding box [m]
+  Velocity velocity = Velocity::Zero();  ///< eq. 16
+  std::int32_t voxels = 0;               ///< number of voxels
+  bool dynamic = false;                  ///< faster than the threshold velocity of Sec. 3.3.2
+};
+
+/// What a mapper knows of the space around the UAV, in window order (see VoxelBox::index).
+struct LocalMap {
+  VoxelBox window;
+  double resolution = 0;             ///< edge of a voxel [m]
+  std::vector<float> occupancy;      ///< P(Occ) per voxel; exactly 0.5 where unknown
+  std::vector<std::int32_t> labels;  ///< per voxel its cluster's position in `clusters`, or -1
+  std::vector<Cluster> clusters;     ///< empty for mappers that find none
+};
+
+}  // namespace ldm

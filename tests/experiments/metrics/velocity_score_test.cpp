@@ -1,0 +1,141 @@
+#include "experiments/metrics/velocity_score.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace experiments {
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+/// Ten frames a second; `change` edits each observation of an object in the map that is estimated
+/// without error at 1 m/s along x.
+VelocityTally play(int frames, const std::function<void(int, Observation&)>& change) {
+  VelocityTally tally;
+  for (int k = 0; k < frames; ++k) {
+    Observation seen{.object = 3,
+                     .dynamic = true,
+                     .time = 0.1 * k,
+                     .in_map = true,
+                     .visible = true,
+                     .true_velocity = Vector(1, 0, 0),
+                     .velocity = Vector(1, 0, 0)};
+    change(k, seen);
+    tally.add(seen);
+  }
+  tally.finish();
+  return tally;
+}
+
+TEST(VelocityScore, ErrorsCountFromTwoSecondsAfterEntering) {
+  const VelocityTally tally = play(25, [](int k, Observation& seen) {
+    seen.velocity = k < 20 ? Vector(9, 9, 9) : Vector(1, 0.3, 0.4);
+  });
+  EXPECT_EQ(tally.error(true).count(), 5);
+  EXPECT_DOUBLE_EQ(*tally.error(true).value(), 0.5);
+  EXPECT_FALSE(tally.error(false).value());
+}
+
+TEST(VelocityScore, LeavingTheMapStartsAnew) {
+  const VelocityTally tally = play(45, [](int k, Observation& seen) {
+    if (k == 20) seen.in_map = false;  // enters again at frame 21, counts from 41
+  });
+  EXPECT_EQ(tally.error(true).count(), 4);
+}
+
+TEST(VelocityScore, StaticAndDynamicObjectsAreApart) {
+  VelocityTally tally;
+  for (int k = 0; k <= 20; ++k) {
+    for (const std::int32_t object : {0, 1}) {
+      tally.add({.object = object,
+                 .dynamic = object == 1,
+                 .time = 0.1 * k,
+                 .in_map = true,
+                 .visible = true,
+                 .true_velocity = Vector::Zero(),
+                 .velocity = Vector(0.1 * (1 + object), 0, 0)});
+    }
+  }
+  tally.finish();
+  EXPECT_DOUBLE_EQ(*tally.error(false).value(), 0.1);
+  EXPECT_DOUBLE_EQ(*tally.error(true).value(), 0.2);
+}
+
+TEST(VelocityScore, FramesWithoutClusterHaveNoErrorAndAreMissed) {
+  const VelocityTally tally = play(40, [](int k, Observation& seen) {
+    if (k >= 30) seen.velocity.reset();
+    if (k >= 35) seen.visible = false;
+  });
+  EXPECT_EQ(tally.error(true).count(), 10);
+  EXPECT_EQ(tally.missed().count(), 35);
+  EXPECT_DOUBLE_EQ(*tally.missed().value(), 5.0 / 35);
+}
+
+TEST(VelocityScore, SteadyLeavesOutOneAndAHalfSecondsAfterAReversal) {
+  // From frame 30 on it goes the other way; the estimate follows at once.
+  const VelocityTally tally = play(60, [](int k, Observation& seen) {
+    if (k >= 30) seen.true_velocity = Vector(-1, 0.2, 0);
+    seen.velocity = seen.true_velocity;
+  });
+  EXPECT_EQ(tally.error(true).count(), 40);
+  EXPECT_EQ(tally.steady_error(true).count(), 25);  // frames 20..29 and 45..59
+}
+
+TEST(VelocityScore, StopAndStartAreReversalsToo) {
+  const VelocityTally tally = play(80, [](int k, Observation& seen) {
+    if (k >= 30 && k < 40) seen.true_velocity.setZero();
+    seen.velocity = seen.true_velocity;
+  });
+  EXPECT_EQ(tally.steady_error(true).count(), 35);  // frames 20..29 and 55..79
+}
+
+TEST(VelocityScore, ATurnByLessThanARightAngleIsSteady) {
+  const VelocityTally tally = play(40, [](int k, Observation& seen) {
+    if (k >= 30) seen.true_velocity = Vector(0.1, 1, 0);
+  });
+  EXPECT_EQ(tally.steady_error(true).count(), 20);
+}
+
+TEST(VelocityScore, AReversalOutOfTheMapIsSeen) {
+  const VelocityTally tally = play(60, [](int k, Observation& seen) {
+    seen.in_map = k < 10 || k >= 20;  // counts from frame 40
+    if (k >= 35) seen.true_velocity = Vector(-1, 0, 0);
+  });
+  EXPECT_EQ(tally.error(true).count(), 20);
+  EXPECT_EQ(tally.steady_error(true).count(), 10);  // from frame 50
+}
+
+TEST(VelocityScore, ConvergesWhereTheErrorBeginsToStayLow) {
+  const VelocityTally tally = play(40, [](int k, Observation& seen) {
+    if (k < 8 || k == 11) seen.velocity = Vector(0.5, 0, 0);  // good at 8, 9, 10: too short
+  });
+  EXPECT_NEAR(*tally.time_to_converge().value(), 1.2, 1e-9);
+  EXPECT_EQ(*tally.not_converged().value(), 0);
+}
+
+TEST(VelocityScore, AMissedFrameBreaksConvergence) {
+  const VelocityTally tally = play(40, [](int k, Observation& seen) {
+    if (k % 5 == 0) seen.velocity.reset();
+  });
+  EXPECT_FALSE(tally.time_to_converge().value());
+  EXPECT_EQ(*tally.not_converged().value(), 1);
+}
+
+TEST(VelocityScore, ShortStaysNeedNotConverge) {
+  const VelocityTally tally = play(60, [](int k, Observation& seen) {
+    seen.in_map = k < 15 || k >= 30;
+    if (k < 15) seen.velocity = Vector::Zero();  // 1.4 s: too short to count
+  });
+  EXPECT_EQ(tally.not_converged().count(), 1);
+  EXPECT_EQ(*tally.not_converged().value(), 0);
+}
+
+TEST(VelocityScore, ConvergenceIsOfDynamicObjects) {
+  const VelocityTally tally = play(40, [](int, Observation& seen) { seen.dynamic = false; });
+  EXPECT_FALSE(tally.time_to_converge().value());
+  EXPECT_FALSE(tally.not_converged().value());
+}
+
+}  // namespace
+}  // namespace experiments

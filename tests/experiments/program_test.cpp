@@ -1,0 +1,165 @@
+/// The command line of `ldm`, from outside: exit codes, messages, files.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/experiments/program.h"
+
+namespace experiments {
+namespace {
+
+constexpr char kSmall[] = " --frames 4 --set particles.count=500 --set execution.threads=1";
+
+TEST_F(Program, ListsWhatThereIs) {
+  EXPECT_NE(ldm("methods").out.find("circular_buffer_pf  "), std::string::npos);
+  EXPECT_NE(ldm("scenarios").out.find("scenario2"), std::string::npos);
+  EXPECT_NE(ldm("studies").out.find("table1  "), std::string::npos);
+  EXPECT_NE(ldm("parameters").out.find("particles.count"), std::string::npos);
+  EXPECT_EQ(ldm("parameters octomap").out.find("particles.count"), std::string::npos);
+  EXPECT_EQ(ldm("parameters octomap").code, 0);
+  EXPECT_EQ(ldm("--version").out.rfind("ldm ", 0), 0u);
+}
+
+TEST_F(Program, EveryHelpHasAnExample) {
+  for (const char* command :
+       {"methods", "scenarios", "parameters", "studies", "trials", "trial", "simulate", "run"}) {
+    const Result result = ldm(std::string(command) + " --help");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.out.find("Example: ldm " + std::string(command)), std::string::npos)
+        << command;
+  }
+  EXPECT_EQ(ldm("--help").code, 0);
+}
+
+TEST_F(Program, RefusesABadCommandLine) {
+  expect_bad("", "subcommand");
+  expect_bad("fly", "unknown subcommand fly: allowed: methods, scenarios");
+  expect_bad("run ldm scenario1", "--output");
+  expect_bad("trials table1 --seeds 0", "--seeds");
+  expect_bad("trials table1 --seeds many", "many");
+  expect_bad("methods --colour", "--colour");
+}
+
+TEST_F(Program, TrialsOfAStudy) {
+  const Result result = ldm("trials " + write_study() + " --seeds 2");
+  EXPECT_EQ(result.out, "scenario1.current_scan.s001\nscenario1.current_scan.s002\n");
+  expect_bad("trials moon", "unknown study moon: allowed: a .toml file, ablation");
+  expect_bad("trials " + write_study("speed = 1\n"), "tiny.toml:6: speed");
+}
+
+TEST_F(Program, TrialWritesItsRecord) {
+  const Result result = ldm("trial " + write_study() + " scenario1.current_scan.s003 -o r.json");
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_NE(folder_.read("r.json").find("\"status\": \"ok\""), std::string::npos);
+  EXPECT_NE(folder_.read("r.json").find("\"frames\": 4"), std::string::npos);
+}
+
+TEST_F(Program, TheCommandOfARecordRepeatsIt) {
+  ldm("trial " + write_study() + " scenario1.current_scan.s002 --frames 3 --seeds 9 -o r.json");
+  const std::string record = folder_.read("r.json");
+  constexpr std::string_view kKey = "\"command\": \"ldm ";
+  const std::size_t begin = record.find(kKey) + kKey.size();
+  const Result result = ldm(record.substr(begin, record.find('"', begin) - begin));
+  EXPECT_EQ(result.code, 0) << result.error;
+  const auto untimed = [](const std::string& text) {
+    return text.substr(0, text.find("\"timing\""));
+  };
+  EXPECT_EQ(untimed(folder_.read("scenario1.current_scan.s002.json")), untimed(record));
+}
+
+TEST_F(Program, BadTrialsLeaveNoRecord) {
+  const std::string study = write_study();
+  expect_bad("trial " + study + " scenario1.current_scan.s004 -o r.json", "has no trial");
+  expect_bad("trial " + study + " scenario1.current_scan.s001 --frames 9999 -o r.json",
+             "frames = 9999: allowed: at most");
+  expect_bad("trial " + study + " scenario1.current_scan.s001 -o none/r.json",
+             "none/r.json: cannot be written");
+  EXPECT_FALSE(exists("r.json"));
+}
+
+TEST_F(Program, AFailedTrialLeavesARecordAndCodeOne) {
+  const std::string study = write_study("[set]\n\"scenario.area.size_m\" = [1, 1]\n");
+  const Result result = ldm("trial " + study + " scenario1.current_scan.s001 -o r.json");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(lines(result.error), 1u) << result.error;
+  EXPECT_NE(result.error.find("ldm: trial scenario1.current_scan.s001 failed: "),
+            std::string::npos);
+  EXPECT_NE(folder_.read("r.json").find("\"status\": \"failed\""), std::string::npos);
+}
+
+TEST_F(Program, RunWritesThreeTables) {
+  const Result result = ldm("run ldm scenario1 -o o" + std::string(kSmall));
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_EQ(result.error, "");  // no progress line: stderr is no terminal
+  EXPECT_EQ(folder_.read("o/clusters.csv")
+                .rfind("frame,time_s,cluster,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,"
+                       "vx_mps,vy_mps,vz_mps,voxels,dynamic\n0,0.000000,0,",
+                       0),
+            0u);
+  EXPECT_EQ(lines(folder_.read("o/timing.csv")), 5u);
+  EXPECT_EQ(folder_.read("o/timing.csv").rfind("frame,occupancy_prediction_ms,", 0), 0u);
+  EXPECT_NE(folder_.read("o/summary.json").find("\"scores\": {\"accuracy_pct\":"),
+            std::string::npos);
+}
+
+TEST_F(Program, RunTakesParametersFromFileAndCommandLine) {
+  folder_.write("p.toml", "[particles]\ncount = 700\nsigma_xy_mps = 0.5\n");
+  const Result result = ldm("run ldm scenario1 -o o -c p.toml" + std::string(kSmall));
+  EXPECT_EQ(result.code, 0) << result.error;
+  const std::string summary = folder_.read("o/summary.json");
+  EXPECT_NE(summary.find("\"particles.count\":500"), std::string::npos);
+  EXPECT_NE(summary.find("\"particles.sigma_xy_mps\":0.5"), std::string::npos);
+}
+
+TEST_F(Program, ARecordedLogRunsLikeItsScenario) {
+  ASSERT_EQ(ldm("simulate scenario1 --seed 7 --frames 4 -o a.rawlog").code, 0);
+  ASSERT_EQ(ldm("run ldm a.rawlog -o log" + std::string(kSmall)).code, 0);
+  ASSERT_EQ(ldm("run ldm scenario1 --seed 7 -o live" + std::string(kSmall)).code, 0);
+  EXPECT_EQ(folder_.read("log/clusters.csv"), folder_.read("live/clusters.csv"));
+  const auto scores = [](const std::string& summary) {
+    const std::size_t begin = summary.find("\"scores\"");
+    return summary.substr(begin, summary.find("\"timing\"") - begin);
+  };
+  EXPECT_EQ(scores(folder_.read("log/summary.json")), scores(folder_.read("live/summary.json")));
+}
+
+TEST_F(Program, RefusesBadRuns) {
+  expect_bad("run kalman scenario1 -o o", "unknown method kalman: allowed: ldm");
+  expect_bad("run ldm moon -o o", "unknown scenario moon: allowed: a .toml file, scenario1");
+  expect_bad("run ldm scenario1 -o o --set map.colour=3", "--set: unknown parameter map.colour");
+  expect_bad("run ldm scenario1 -o o --set map.voxels=4", "--set: map.voxels = 4: allowed: ");
+  expect_bad("run ldm scenario1 -o o --set particles.count=1.5", "particles.count = 1.5");
+  expect_bad("run octomap scenario1 -o o --set particles.count=15", "parameters that octomap uses");
+  expect_bad("run ldm scenario1 -o o --set particles.count", "allowed: name=value");
+  expect_bad("run ldm scenario1 -o o -c none.toml", "none.toml: cannot be read");
+  folder_.write("p.toml", "[map]\nresolution_m = \"fine\"\n");
+  expect_bad("run ldm scenario1 -o o -c p.toml", "p.toml:2: map.resolution_m = fine");
+  expect_bad("run ldm none.rawlog -o o", "none.log.toml: cannot be read");
+  expect_bad("run ldm scenario1 -o p.toml/o", "p.toml/o: cannot be made");
+  EXPECT_FALSE(exists("o"));
+}
+
+TEST_F(Program, ATruncatedLogLeavesNoTables) {
+  ASSERT_EQ(ldm("simulate scenario1 --frames 4 -o a.rawlog").code, 0);
+  std::filesystem::resize_file(folder_.path() / "a.rawlog",
+                               std::filesystem::file_size(folder_.path() / "a.rawlog") / 2);
+  expect_bad("run current_scan a.rawlog -o o", "a.rawlog");
+  EXPECT_TRUE(!exists("o") || std::filesystem::is_empty(folder_.path() / "o"));
+}
+
+TEST_F(Program, ALogHasNoSeed) {
+  ASSERT_EQ(ldm("simulate scenario1 --frames 2 -o a.rawlog").code, 0);
+  expect_bad("run current_scan a.rawlog --seed 3 -o o", "--seed 3: allowed: with a scenario");
+}
+
+TEST_F(Program, DataFolderFromOptionOrEnvironment) {
+  std::filesystem::create_directories(folder_.path() / "data/datasets/scenarios");
+  std::filesystem::copy_file(std::string(LDM_SOURCE_DIR) + "/datasets/scenarios/scenario1.toml",
+                             folder_.path() / "data/datasets/scenarios/mine.toml");
+  EXPECT_EQ(ldm("--data-dir data scenarios").out.rfind("mine  ", 0), 0u);
+  EXPECT_EQ(ldm("scenarios", "LDM_DATA_DIR=data").out.rfind("mine  ", 0), 0u);
+  expect_bad("--data-dir none scenarios", "none/datasets/scenarios: cannot be read");
+}
+
+}  // namespace
+}  // namespace experiments

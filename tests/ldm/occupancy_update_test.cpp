@@ -1,0 +1,157 @@
+#include "ldm/occupancy_update.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ldm/measurement_flags.h"
+#include "tests/ldm/random_inputs.h"
+#include "tests/reference/voxel_boxes.h"
+
+namespace ldm {
+namespace {
+
+constexpr float kHit = 0.847298F;     // ln(0.7 / 0.3)
+constexpr float kCross = -0.405465F;  // ln(0.4 / 0.6)
+
+class OccupancyUpdateTest : public testing::Test {
+ protected:
+  OccupancyUpdateTest() : log_odds_(map_.voxels) {}
+
+  OccupancyUpdate update() const { return {map_, sensor_, survival_}; }
+
+  /// Log-odds of a voxel that had `l` and gets `flag`; `kept`: a static object stands there.
+  float after(float l, std::uint8_t flag, bool kept = false) {
+    std::fill(log_odds_.cells().begin(), log_odds_.cells().end(), l);
+    const std::vector<std::uint8_t> flags(log_odds_.cells().size(), flag);
+    const std::vector<std::uint8_t> keep(log_odds_.cells().size(), kept ? 1 : 0);
+    update().apply(flags, keep, log_odds_);
+    for (const float cell : log_odds_.cells()) EXPECT_EQ(cell, log_odds_.cells()[0]);
+    return log_odds_.cells()[0];
+  }
+
+  MapParameters map_ = map_of({5, 6, 7});
+  SensorModelParameters sensor_;
+  SurvivalParameters survival_;
+  RingBuffer<float> log_odds_;
+};
+
+// Eq. (9)
+TEST_F(OccupancyUpdateTest, LogOddsOfAMeasurementByItsFlag) {
+  const MeasurementLogOdds z(sensor_);
+  EXPECT_NEAR(z.occupied, kHit, 1e-6);
+  EXPECT_NEAR(z.free, kCross, 1e-6);
+  EXPECT_NEAR(after(0, flag::kOccupied), kHit, 1e-6);
+  EXPECT_NEAR(after(0, flag::kFree), kCross, 1e-6);
+}
+
+// Eq. (8)
+TEST_F(OccupancyUpdateTest, MeasurementsAddUpWithinTheClamps) {
+  EXPECT_NEAR(update().measured(1.0F, kHit), 1.847298, 1e-6);
+  EXPECT_NEAR(after(1.0F, flag::kOccupied), 1.847298, 1e-6);
+  EXPECT_NEAR(after(1.0F, flag::kFree), 0.594535, 1e-6);
+  EXPECT_EQ(after(3.0F, flag::kOccupied), 3.5F);
+  EXPECT_EQ(after(3.5F, flag::kOccupied), 3.5F);
+  EXPECT_EQ(after(-1.8F, flag::kFree), -2.0F);
+  EXPECT_NEAR(after(-2.0F, flag::kOccupied), -1.152702, 1e-6);
+}
+
+// Eq. (10)
+TEST_F(OccupancyUpdateTest, SurvivalScalesLogOddsUntilNothingIsLeft) {
+  EXPECT_FLOAT_EQ(OccupancyUpdate::survived(2.0F, 0.9F), 1.8F);
+  EXPECT_FLOAT_EQ(OccupancyUpdate::survived(-2.0F, 0.25F), -0.5F);
+  EXPECT_EQ(OccupancyUpdate::survived(1.5F, 1.0F), 1.5F);
+  EXPECT_EQ(OccupancyUpdate::survived(3.5F, 0.0F), 0.0F);
+  for (const float start : {3.5F, -2.0F}) {
+    float l = start;
+    int frames = 0;
+    for (; l != 0; ++frames) {
+      const float next = OccupancyUpdate::survived(l, 0.9F);
+      ASSERT_LT(std::abs(next), std::abs(l));
+      ASSERT_TRUE(next == 0 || std::isnormal(next));
+      l = next;
+    }
+    EXPECT_GT(frames, 100);
+    EXPECT_LT(frames, 200);
+  }
+}
+
+TEST_F(OccupancyUpdateTest, FirstCaseStaticObjectsStay) {
+  for (const std::uint8_t f : {flag::kNone, std::uint8_t{1}, flag::kShadow}) {
+    EXPECT_EQ(after(2.5F, f, true), 2.5F);
+  }
+  EXPECT_NEAR(after(1.0F, flag::kFree, true), 0.594535, 1e-6);  // but they can be measured
+  EXPECT_NEAR(after(1.0F, flag::kOccupied, true), 1.847298, 1e-6);
+}
+
+TEST_F(OccupancyUpdateTest, SecondCaseOutOfTheSensorsView) {
+  EXPECT_FLOAT_EQ(after(2.0F, flag::kNone), 1.8F);
+  EXPECT_FLOAT_EQ(after(-1.0F, flag::kNone), -0.9F);
+  survival_.outside_view = 0.5;
+  EXPECT_FLOAT_EQ(after(2.0F, flag::kNone), 1.0F);
+}
+
+/// At 0.15 m a voxel a flag falls by one each 0.075 m behind the obstacle.
+TEST_F(OccupancyUpdateTest, ThirdCaseBehindAnObstacle) {
+  const auto shadow = [](int half_voxels) {
+    return static_cast<std::uint8_t>(flag::kShadow - half_voxels);
+  };
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(0)), 0.98F);
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(2)), 0.98F);         // 0.15 m
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(4)), 0.98F);         // 0.3 m: as far as it stays high
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(5)), 0.98F * 0.8F);  // 0.375 m: 0.98 * 0.3 / 0.375
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(8)), 0.49F);         // 0.6 m
+  EXPECT_NEAR(after(-1.0F, 1), -0.98 * 0.3 / 18.9, 1e-6);
+  survival_.shadow = 0.5;
+  survival_.shadow_range = 0.6;
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(8)), 0.5F);
+  EXPECT_FLOAT_EQ(after(1.0F, shadow(16)), 0.25F);
+}
+
+TEST_F(OccupancyUpdateTest, WithoutSurvivalUnseenVoxelsKeepTheirLogOdds) {
+  survival_.enabled = false;
+  for (const std::uint8_t f : {flag::kNone, std::uint8_t{1}, std::uint8_t{200}, flag::kShadow}) {
+    EXPECT_EQ(after(1.25F, f), 1.25F);
+    EXPECT_EQ(after(-0.5F, f), -0.5F);
+  }
+  EXPECT_NEAR(after(1.0F, flag::kOccupied), 1.847298, 1e-6);
+}
+
+TEST_F(OccupancyUpdateTest, WithoutStaticObjectsKeptMayBeEmpty) {
+  std::fill(log_odds_.cells().begin(), log_odds_.cells().end(), 2.0F);
+  const std::vector<std::uint8_t> flags(log_odds_.cells().size(), flag::kNone);
+  update().apply(flags, {}, log_odds_);
+  for (const float l : log_odds_.cells()) EXPECT_FLOAT_EQ(l, 1.8F);
+}
+
+/// Flags come in window order, `kept` and log-odds in slots: here they are told apart.
+TEST(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
+  Random random(1);
+  for (const Eigen::Vector3i& n : map_sizes()) {
+    RingBuffer<float> log_odds(n);
+    log_odds.recenter(random_vector(-40, 40, random));
+    std::vector<std::uint8_t> flags(log_odds.cells().size());
+    std::vector<std::uint8_t> kept(log_odds.cells().size());
+    for (auto& f : flags) f = static_cast<std::uint8_t>(uniform_int(0, 255, random));
+    for (auto& k : kept) k = static_cast<std::uint8_t>(uniform_int(0, 1, random));
+    for (auto& l : log_odds.cells()) l = static_cast<float>(uniform(-2, 3.5, random));
+    const RingBuffer<float> before = log_odds;
+    const OccupancyUpdate update(map_of(n), {}, {});
+    update.apply(flags, kept, log_odds);
+
+    const VoxelBox& window = log_odds.index().window();
+    reference::for_each_voxel(window, [&](const VoxelIndex& v) {
+      const std::uint8_t f = flags[window.index(v)];
+      float expected = before.at(v);
+      if (f >= flag::kFree) {
+        expected = update.measured(expected, f == flag::kFree ? kCross : kHit);
+      } else if (kept[log_odds.index().slot(v)] == 0) {
+        expected = OccupancyUpdate::survived(expected, update.survival(f));
+      }
+      ASSERT_NEAR(log_odds.at(v), expected, 1e-5) << v.transpose();
+    });
+  }
+}
+
+}  // namespace
+}  // namespace ldm

@@ -1,0 +1,52 @@
+#include "ldm/read_occupancy.h"
+
+#include <gtest/gtest.h>
+
+#include "ldm/log_odds.h"
+#include "tests/ldm/random_inputs.h"
+#include "tests/reference/voxel_boxes.h"
+
+namespace ldm {
+namespace {
+
+TEST(ReadOccupancyTest, WindowOrderFromAnyPlaceInTheRing) {
+  Random random(1);
+  LocalMap map;
+  for (const Eigen::Vector3i& n : map_sizes()) {
+    RingBuffer<float> log_odds(n);
+    for (float& l : log_odds.cells()) {
+      l = uniform_int(0, 2, random) == 0 ? 0.0F : static_cast<float>(uniform(-2, 3.5, random));
+    }
+    log_odds.recenter(random_vector(-40, 40, random));
+    for (int i = 0; i < 50; ++i) {
+      log_odds.at(random_voxel(log_odds.index().window(), random)) = 3.5F;
+    }
+    read_occupancy(log_odds, 0.25, map);
+
+    EXPECT_EQ(map.window.origin, log_odds.index().window().origin);
+    EXPECT_EQ(map.window.size, n);
+    EXPECT_EQ(map.resolution, 0.25);
+    ASSERT_EQ(map.occupancy.size(), log_odds.cells().size());
+    reference::for_each_voxel(map.window, [&](const VoxelIndex& v) {
+      const auto expected = static_cast<float>(probability(log_odds.at(v)));
+      ASSERT_EQ(map.occupancy[map.window.index(v)], expected) << v.transpose();
+    });
+  }
+}
+
+TEST(ReadOccupancyTest, UnknownIsExactlyOneHalf) {
+  RingBuffer<float> log_odds({5, 5, 5});
+  log_odds.at({0, 0, 0}) = 3.5F;
+  LocalMap map;
+  read_occupancy(log_odds, 0.15, map);
+  for (std::size_t i = 0; i < map.occupancy.size(); ++i) {
+    if (i == map.window.index({0, 0, 0})) {
+      EXPECT_NEAR(map.occupancy[i], 0.970688, 1e-6);
+    } else {
+      EXPECT_EQ(map.occupancy[i], 0.5F);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ldm
