@@ -1,0 +1,24 @@
+"""The paper's numbers, read from published.toml."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import lru_cache
+from pathlib import Path
+
+FILE = Path(__file__).with_name("published.toml")
+
+PAPER_NAMES = {"ldm": "Proposed", "circular_buffer": "[11]", "circular_buffer_pf": "[11] with PF"}
+"""Our method -> the paper's name of it."""
+
+
+@lru_cache(maxsize=1)
+def published() -> dict:
+    """The whole file as nested dicts."""
+    with FILE.open("rb") as stream:
+        return tomllib.load(stream)
+
+
+def display_name(method: str) -> str:
+    """The paper's name with ours in brackets; ours alone where the paper has none."""
+    return f"{PAPER_NAMES[method]} ({method})" if method in PAPER_NAMES else method

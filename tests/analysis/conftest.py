@@ -1,0 +1,6 @@
+"""Makes `import analysis` work from any folder."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
