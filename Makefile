@@ -1,0 +1,178 @@
+# The only entry to this repository: `make` alone lists the targets. Needs GNU Make, bash, git, and apt
+# for what is missing.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.SUFFIXES:
+
+# Variables of the command line
+STUDY    ?=
+SEEDS    ?=
+FRAMES   ?=
+METHODS  ?= ldm
+PLUGIN   ?=
+FRESH    ?=
+NATIVE   ?=
+JOBS     ?= $(shell nproc)
+RESULTS  ?= results
+
+BUILD := build$(if $(NATIVE),-native)
+LDM   ?= $(BUILD)/bin/ldm
+PYTHON := /usr/bin/python3
+cxx_sources = git ls-files --cached --others --exclude-standard '*.h' '*.cpp'
+
+.PHONY: help
+help: ## list the targets
+	@echo "Usage: make TARGET [VARIABLE=value ...]"; echo; \
+	sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r target text; do \
+	  printf '  %-12s %s\n' "$$target" "$$text"; done; \
+	echo; sed -n 's/^#: //p' $(MAKEFILE_LIST)
+#: Variables
+#:   STUDY=name     which study             SEEDS=n   replicates, instead of the study's number
+#:   FRAMES=n       shortened trials, kept apart in results/STUDY-fN
+#:   FRESH=1        run all trials again    JOBS=n    processes at a time (default: all cores)
+#:   METHODS="a b"  methods to compare      NATIVE=1  build for this very machine, in build-native/
+#:   PLUGIN=FILE.so methods from outside, of a study or to compare: docs/variants.md
+
+# --- Set-up and build ------------------------------------------------------------------------------
+
+.PHONY: setup
+setup: ## install the Debian packages that are missing (apt-packages.txt)
+	@wanted=$$(sed 's/#.*//' apt-packages.txt); \
+	if ! command -v dpkg-query apt-get >/dev/null; then \
+	  echo "setup: no apt on this system; install the equivalents of:" $$wanted >&2; exit 1; fi; \
+	present=$$(dpkg-query --show --showformat '$${db:Status-Abbrev}$${Package}\n' | sed -n 's/^ii //p'); \
+	missing=$$(comm -23 <(printf '%s\n' $$wanted | sort -u) <(sort -u <<< "$$present")); \
+	if [ -z "$$missing" ]; then exit 0; fi; \
+	echo "setup: installing" $$missing; \
+	as_root=; if [ "$$(id -u)" != 0 ]; then as_root=sudo; command -v sudo >/dev/null || { \
+	  echo "setup: not root and no sudo; as root: apt-get install" $$missing >&2; exit 1; }; fi; \
+	{ $$as_root apt-get update -q && $$as_root env DEBIAN_FRONTEND=noninteractive \
+	    apt-get install -q -y --no-install-recommends $$missing; } || { \
+	  echo "setup: apt-get failed; the packages are those of Debian 12" >&2; exit 1; }
+
+# Configured once; afterwards CMake itself notices changed lists and new test files.
+$(BUILD)/Makefile: | setup
+	cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release $(if $(NATIVE),-DNATIVE=ON) \
+	  $$(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+
+# $(call compile,TARGET): the outer Make's flags and variables are none of CMake's business.
+compile = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL \
+  cmake --build $(BUILD) --parallel '$(JOBS)' --target $(1) | sed '/Built target/d'
+
+.PHONY: build
+build: $(BUILD)/Makefile ## build everything into build/
+	@$(call compile,all)
+
+# A program given as LDM=path is taken as it is.
+.PHONY: program
+ifeq ($(origin LDM),file)
+program: $(BUILD)/Makefile
+	@$(call compile,ldm_program)
+else
+program:
+endif
+
+# --- Tests and style -------------------------------------------------------------------------------
+
+.PHONY: test
+test: build ## run all tests: GoogleTest through ctest, then pytest
+	@outcome=0; \
+	ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) | tee $(BUILD)/ctest.log || outcome=1; \
+	env -u MAKEFLAGS -u MFLAGS $(PYTHON) -m pytest tests | tee $(BUILD)/pytest.log || outcome=1; \
+	echo; grep 'tests passed' $(BUILD)/ctest.log; tail -n 1 $(BUILD)/pytest.log; \
+	exit $$outcome
+
+.PHONY: equations
+equations: ## print the index of the paper's equations: symbol, file, test
+	@$(PYTHON) tests/equations.py
+
+.PHONY: style
+style: $(BUILD)/Makefile ## check layout (clang-format) and code (clang-tidy)
+	$(cxx_sources) | xargs clang-format-14 --dry-run -Werror
+	run-clang-tidy-14 -quiet -p $(BUILD) -j $(JOBS) '$(CURDIR)/(ldm|baselines|datasets)/' \
+	  &> $(BUILD)/clang-tidy.log || { grep -A3 'error:' $(BUILD)/clang-tidy.log; exit 1; }
+
+.PHONY: format
+format: setup ## lay out all C++ with clang-format
+	$(cxx_sources) | xargs clang-format-14 -i
+
+# --- Studies ---------------------------------------------------------------------------------------
+
+# $(call run_study,NAME). Times count only where trials run one after the other.
+run_study = $(PYTHON) experiments/run_study.py $(1) --program $(LDM) --results $(RESULTS) \
+  --jobs '$(JOBS)' $(if $(filter timing,$(1)),--serial) $(if $(SEEDS),--seeds '$(SEEDS)') \
+  $(if $(FRAMES),--frames '$(FRAMES)') $(if $(FRESH),--fresh) $(foreach file,$(PLUGIN),--plugin '$(file)')
+# Folder of a study's results, as run_study.py names it.
+folder = $(1)$(if $(FRAMES),-f$(FRAMES))
+# $(call analyse,SCRIPT,STUDY)
+analyse = $(PYTHON) -m analysis.$(1) --results $(RESULTS) --study $(call folder,$(2))
+
+# Figure 5 needs a recorded world of each scenario, Figures 6 to 9 the records. Prints what it made.
+define draw_figures
+mkdir -p $(RESULTS)/$(call folder,worlds) && \
+for scenario in scenario1 scenario2 scenario3; do $(LDM) simulate $$scenario --seed 1 \
+  $(if $(FRAMES),--frames '$(FRAMES)') -o $(RESULTS)/$(call folder,worlds)/$$scenario.rawlog || exit 1; done && \
+$(call analyse,figure5,worlds) && \
+$(call analyse,velocity_figures,table1)
+endef
+
+.PHONY: reproduce
+reproduce: program ## the paper's study: Table 1 and Figures 5 to 9, ours beside the published
+	@$(call run_study,table1)
+	@made=$$($(draw_figures)); \
+	$(call analyse,table1,table1); \
+	echo "Pictures:"; grep 'png$$' <<< "$$made"
+
+.PHONY: smoke
+smoke: SEEDS = 2
+smoke: FRAMES = 100
+smoke: FRESH = 1
+smoke: reproduce ## the path of `make reproduce` in two minutes: 2 seeds of 100 frames
+
+.PHONY: study
+study: study-named program ## run the missing trials of STUDY=name; failed ones are tried again
+	@$(call run_study,$(STUDY))
+
+.PHONY: study-named
+study-named:
+	@[ -n '$(STUDY)' ] || { echo "STUDY=name is missing; 'make studies' lists them" >&2; exit 2; }
+
+.PHONY: plot
+plot: study-named setup ## figure and table of STUDY=name, a sweep or ablation, from the results that exist
+	@$(call analyse,sweep_figure,$(STUDY))
+
+.PHONY: studies
+studies: program ## list the studies with their numbers of trials
+	@$(LDM) studies
+
+.PHONY: timing
+timing: program ## computation time of each stage, trials one after the other
+	@$(call run_study,timing)
+	@$(call analyse,computation_time,timing)
+
+.PHONY: compare
+compare: STUDY = table1
+compare: program ## paired differences of METHODS="a b" against every other method of STUDY (table1)
+	@$(call run_study,$(STUDY)) --methods '$(METHODS)'
+	@$(call analyse,compare,$(STUDY)) --methods '$(METHODS)'
+
+.PHONY: tables
+tables: setup ## Table 1 and the velocity errors, from the results that exist
+	@$(call analyse,table1,table1)
+
+.PHONY: figures
+figures: program ## Figures 5 to 9, from the results that exist
+	@$(draw_figures)
+
+# --- Cleaning --------------------------------------------------------------------------------------
+
+.PHONY: clean
+clean: ## delete what was built; results stay
+	rm -rf build build-native .pytest_cache
+	find analysis experiments tests -name __pycache__ -prune -exec rm -rf {} +
+
+.PHONY: distclean
+distclean: clean ## delete what was built, and all results
+	rm -rf $(RESULTS)

@@ -1,0 +1,258 @@
+"""`make study` with a stand-in for the program: resuming, failures, interruptions, stale results."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class Bench:
+    """A folder with a program and results of its own, and `make study` run upon them."""
+
+    def __init__(self, folder: Path):
+        self.program = folder / "ldm"
+        self.results = folder / "results"
+        self.log = folder / "log"
+        shutil.copy(ROOT / "tests" / "harness" / "fake_program.sh", self.program)
+
+    def start(self, *variables: str, **behaviour: str) -> subprocess.Popen:
+        clean = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS"))}
+        return subprocess.Popen(
+            ["make", "-C", ROOT, "study", "STUDY=fake", f"LDM={self.program}",
+             f"RESULTS={self.results}", "JOBS=2", *variables],
+            env=clean | {"LOG": str(self.log)} | behaviour, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+    def run(self, *variables: str, **behaviour: str) -> subprocess.CompletedProcess:
+        process = self.start(*variables, **behaviour)
+        out, err = process.communicate(timeout=60)
+        return subprocess.CompletedProcess(process.args, process.returncode, out, err)
+
+    def records(self, folder: str = "fake") -> dict[str, dict]:
+        files = (self.results / folder / "records").glob("*.json")
+        return {file.name: json.loads(file.read_text()) for file in files}
+
+    def ran(self) -> list[str]:
+        """Trials started since the last call."""
+        started = self.log.read_text().split() if self.log.exists() else []
+        self.log.unlink(missing_ok=True)
+        return sorted(started)
+
+    def change_program(self) -> None:
+        self.program.write_text(self.program.read_text() + "# another build\n")
+
+
+@pytest.fixture
+def bench(tmp_path: Path) -> Bench:
+    return Bench(tmp_path)
+
+
+def test_runs_every_trial_once(bench):
+    done = bench.run()
+    assert done.returncode == 0
+    assert "6 of 6 trials good" in done.stdout
+    assert bench.ran() == ["t1", "t2", "t3", "t4", "t5", "t6"]
+    assert {record["status"] for record in bench.records().values()} == {"ok"}
+
+    assert bench.run().returncode == 0
+    assert bench.ran() == []
+
+
+def test_more_seeds_add_trials_only(bench):
+    bench.run("SEEDS=2")
+    assert bench.ran() == ["t1", "t2"]
+    bench.run("SEEDS=4")
+    assert bench.ran() == ["t3", "t4"]
+
+
+def test_shortened_trials_have_their_own_folder(bench):
+    bench.run()
+    bench.run("SEEDS=1", "FRAMES=30")
+    assert len(bench.records("fake")) == 6
+    (record,) = bench.records("fake-f30").values()
+    assert "--frames 30" in record["arguments"]
+
+
+def test_goes_on_past_a_failure_and_lists_it(bench):
+    done = bench.run(FAIL="t2")
+    assert done.returncode != 0
+    assert "5 of 6 trials good" in done.stdout
+    record = bench.results / "fake" / "records" / "t2.json"
+    assert f"FAILED t2: no path found\n  {bench.program} trial fake t2 -o {record}\n" in done.stderr
+    assert "1 of 6 trials failed" in done.stderr
+    assert bench.records()["t2.json"]["status"] == "failed"
+
+
+def test_tries_failed_trials_again(bench):
+    bench.run(FAIL="t2")
+    bench.ran()
+    done = bench.run()
+    assert done.returncode == 0
+    assert bench.ran() == ["t2"]
+
+
+def test_a_crash_leaves_a_record_with_its_reason_and_command(bench):
+    done = bench.run(CRASH="t3")
+    assert done.returncode != 0
+    assert "FAILED t3: killed by SIGSEGV" in done.stderr
+    record = bench.records()["t3.json"]
+    assert record["status"] == "failed"
+    assert record["error"] == "killed by SIGSEGV"
+    assert record["id"] == "t3"
+    assert record["command"].split()[:4] == [str(bench.program), "trial", "fake", "t3"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupted_run_is_continued(bench, number):
+    process = bench.start("SEEDS=8", SLEEP="0.4")
+    deadline = time.monotonic() + 30
+    while not list(bench.results.glob("fake/records/*.json")):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    # Ctrl-C reaches every process of the terminal's group, a polite `kill` only the first.
+    os.killpg(process.pid, number) if number == signal.SIGINT else process.send_signal(number)
+    process.communicate(timeout=30)
+    assert process.returncode != 0
+    assert len(bench.ran()) < 8
+    finished = bench.records()
+    assert {record["status"] for record in finished.values()} == {"ok"}
+
+    done = bench.run("SEEDS=8")
+    assert done.returncode == 0
+    assert bench.ran() == sorted({f"t{n}" for n in range(1, 9)} - {n[:-5] for n in finished})
+    files = sorted(file.name for file in (bench.results / "fake" / "records").iterdir())
+    assert files == [f"t{n}.json" for n in range(1, 9)]
+
+
+def test_a_second_run_at_the_same_time_is_refused(bench):
+    first = bench.start(SLEEP="0.3")
+    deadline = time.monotonic() + 30
+    while not (bench.results / "fake" / "MANIFEST").exists():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    second = bench.run()
+    assert second.returncode != 0
+    assert "another run" in second.stderr
+    first.communicate(timeout=30)
+    assert first.returncode == 0
+
+
+def test_stale_results_are_named_and_used(bench):
+    bench.run()
+    bench.ran()
+    bench.change_program()
+    done = bench.run()
+    assert done.returncode == 0
+    assert "6 results are stale (made by commit " in done.stderr
+    assert bench.ran() == []
+
+
+def test_results_of_two_programs_never_mix(bench):
+    bench.run()
+    bench.ran()
+    bench.change_program()
+    done = bench.run("SEEDS=8")
+    assert done.returncode != 0
+    assert "6 results are stale" in done.stderr and "2 are missing" in done.stderr
+    assert "FRESH=1" in done.stderr
+    assert bench.ran() == []
+
+
+def test_a_failed_trial_counts_as_missing_when_results_are_stale(bench):
+    bench.run(FAIL="t2")
+    bench.ran()
+    bench.change_program()
+    assert "1 are missing" in bench.run().stderr
+    assert bench.ran() == []
+    assert bench.records()["t2.json"]["status"] == "failed"
+
+
+def test_fresh_runs_all_again(bench):
+    bench.run("SEEDS=8")
+    bench.ran()
+    bench.change_program()
+    assert bench.run("FRESH=1").returncode == 0
+    assert bench.ran() == ["t1", "t2", "t3", "t4", "t5", "t6"]
+    assert len(bench.records()) == 6
+    assert "stale" not in bench.run().stderr
+
+
+@pytest.mark.parametrize("variable", ["SEEDS=0", "SEEDS=ten", "FRAMES=-1", "JOBS=0"])
+def test_numbers_are_checked(bench, variable):
+    done = bench.run(variable)
+    assert done.returncode != 0
+    assert "a whole number of at least 1 is needed" in done.stderr
+    assert not bench.results.exists()
+
+
+def test_the_programs_own_refusal_is_passed_on(bench):
+    done = bench.run(UNKNOWN="1")
+    assert done.returncode != 0
+    assert done.stderr.startswith("unknown study\n")
+    assert not bench.results.exists()
+
+
+def test_ten_thousand_finished_trials_take_a_second(bench):
+    records = bench.results / "fake" / "records"
+    bench.run("SEEDS=1")
+    content = (records / "t1.json").read_text() + "x" * 20000
+    for number in range(1, 10001):
+        (records / f"t{number}.json").write_text(content)
+    start = time.monotonic()
+    done = bench.run("SEEDS=10000")
+    assert done.returncode == 0
+    assert "10000 of 10000 trials good" in done.stdout
+    assert time.monotonic() - start < 5  # about 0.3 s; loose, for a busy machine
+
+
+@pytest.fixture
+def plugin(tmp_path: Path) -> Path:
+    file = tmp_path / "new.so"
+    file.write_text("first build\n")
+    return file
+
+
+def run_beside(bench, *variables: str) -> subprocess.CompletedProcess:
+    """The runs of `make compare`, of which the fake records suffice for all but the table."""
+    return subprocess.run(
+        ["/usr/bin/python3", ROOT / "experiments" / "run_study.py", "fake", "--program", bench.program,
+         "--results", bench.results, "--methods", "old new", *variables],
+        env=os.environ | {"LOG": str(bench.log), "NAMED": "1"},
+        capture_output=True, text=True, check=False)
+
+
+def test_a_method_beside_the_study_has_records_of_its_own(bench, plugin):
+    done = run_beside(bench, "--plugin", str(plugin), "--seeds", "2")
+    assert done.returncode == 0
+    assert "study fake: 2 of 2 trials good" in done.stdout
+    assert "study fake+new: 2 of 2 trials good" in done.stdout
+    assert bench.ran() == ["w.new.t1", "w.new.t2", "w.old.t1", "w.old.t2"]
+    assert "plugin" not in bench.records()["w.old.t1.json"]["arguments"]
+    assert f"--method new --plugin {plugin}" in bench.records("fake+new")["w.new.t1.json"]["arguments"]
+
+
+def test_a_new_build_of_a_plugin_leaves_the_study_alone(bench, plugin):
+    arguments = ("--plugin", str(plugin), "--seeds", "2")
+    run_beside(bench, *arguments)
+    bench.ran()
+    plugin.write_text("second build\n")
+    done = run_beside(bench, *arguments)
+    assert "study fake+new: 2 results are stale" in done.stderr
+    assert "study fake:" not in done.stderr and bench.ran() == []
+
+    run_beside(bench, *arguments, "--fresh")
+    assert bench.ran() == ["w.new.t1", "w.new.t2"]
+
+
+def test_an_unknown_method_stops_before_any_trial(bench):
+    done = run_beside(bench)
+    assert done.returncode == 2
+    assert done.stderr == "unknown method new\n"
+    assert bench.ran() == []
