@@ -9,7 +9,7 @@ CircularBufferPf::CircularBufferPf(const ldm::Parameters& parameters)
       cluster_parameters_(parameters.clusters),
       index_(map_.log_odds().index()),
       particles_(parameters.map, parameters.particles, parameters.clusters,
-                 parameters.execution.seed, index_),
+                 parameters.execution, index_),
       clustering_(parameters.map, parameters.clusters) {}
 
 void CircularBufferPf::update(const ldm::Scan& scan, ldm::StageListener* listener) {

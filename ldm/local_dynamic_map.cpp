@@ -8,11 +8,12 @@ namespace ldm {
 LocalDynamicMap::LocalDynamicMap(const Parameters& parameters)
     : parameters_(checked(parameters)),
       log_odds_(parameters.map.voxels, 0.0F),
-      flags_(parameters.map, parameters.sensor_model.no_returns, parameters.survival.enabled),
+      flags_(parameters.map, parameters.sensor_model.no_returns, parameters.survival.enabled,
+             parameters.execution.threads),
       prediction_(parameters.map, parameters.sensor_model, parameters.prediction),
       occupancy_(parameters.map, parameters.sensor_model, parameters.survival),
-      particles_(parameters.map, parameters.particles, parameters.clusters,
-                 parameters.execution.seed, log_odds_.index()),
+      particles_(parameters.map, parameters.particles, parameters.clusters, parameters.execution,
+                 log_odds_.index()),
       clustering_(parameters.map, parameters.clusters) {}
 
 void LocalDynamicMap::update(const Scan& scan, StageListener* listener) {

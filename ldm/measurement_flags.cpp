@@ -92,12 +92,15 @@ class Walk {
 
 }  // namespace
 
-MeasurementFlags::MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows)
+MeasurementFlags::MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows,
+                                   std::int64_t threads)
     : resolution_(map.resolution),
       use_no_returns_(no_returns == NoReturnRays::kFree),
-      shadows_(shadows) {
+      shadows_(shadows),
+      parallel_(threads),
+      parts_(static_cast<std::size_t>(parallel_.parts())) {
   window_.size = map.voxels;
-  flags_.resize(window_.count());
+  for (Part& part : parts_) part.flags.resize(window_.count());
 }
 
 void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
@@ -106,33 +109,53 @@ void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
       (scan.T_world_sensor.translation / resolution_ - window_.origin.cast<double>()).cast<float>();
   sensor_inside_ =
       (sensor_.array() > 0).all() && (sensor_.array() < window_.size.cast<float>().array()).all();
-  std::fill(flags_.begin(), flags_.end(), flag::kNone);
-  mark_ends(scan);
-  for (const VoxelIndex& voxel : borders_) cast(voxel, false);
-  for (const VoxelIndex& voxel : hits_) cast(voxel, true);
+  parallel_.run([&](int number) {
+    Part& part = parts_[static_cast<std::size_t>(number)];
+    std::fill(part.flags.begin(), part.flags.end(), flag::kNone);
+    mark_ends(scan, number, part);
+    for (const VoxelIndex& voxel : part.borders) cast(voxel, false, part);
+    for (const VoxelIndex& voxel : part.hits) cast(voxel, true, part);
+  });
+  if (parts_.size() > 1) combine();
+}
+
+/// Into the flags of the first part, the larger of all.
+void MeasurementFlags::combine() {
+  parallel_.run([&](int number) {
+    const auto [begin, end] = parallel_.share(number, parts_[0].flags.size());
+    std::uint8_t* const all = parts_[0].flags.data();
+    for (std::size_t p = 1; p < parts_.size(); ++p) {
+      const std::uint8_t* const some = parts_[p].flags.data();
+      for (std::size_t i = begin; i < end; ++i) all[i] = std::max(all[i], some[i]);
+    }
+  });
 }
 
 /// Flags the voxels where rays end and lists each of them once.
-void MeasurementFlags::mark_ends(const Scan& scan) {
-  hits_.clear();
-  borders_.clear();
+void MeasurementFlags::mark_ends(const Scan& scan, int number, Part& part) const {
+  part.hits.clear();
+  part.borders.clear();
   const Eigen::Matrix3f turn = (scan.T_world_sensor.rotation / resolution_).cast<float>();
   const Eigen::Array3f size = window_.size.cast<float>();
-  for (const Point& p : scan.points) {
-    const Eigen::Vector3f direction = turn * p;
+  const Parallel::Share points = parallel_.share(number, scan.points.size());
+  for (std::size_t i = points.begin; i < points.end; ++i) {
+    const Eigen::Vector3f direction = turn * scan.points[i];
     const Eigen::Array3f q = (sensor_ + direction).array();
     if ((q < 0).any() || (q >= size).any()) {
-      leave(direction, 1);
+      leave(direction, 1, part);
     } else {
-      end_in(q.cast<int>(), flag::kOccupied, hits_);
+      end_in(q.cast<int>(), flag::kOccupied, part);
     }
   }
   if (!use_no_returns_) return;
-  for (const Point& direction : scan.no_returns) leave(turn * direction, kNever);
+  const Parallel::Share rays = parallel_.share(number, scan.no_returns.size());
+  for (std::size_t i = rays.begin; i < rays.end; ++i) {
+    leave(turn * scan.no_returns[i], kNever, part);
+  }
 }
 
 /// A ray of length `reach` * direction that goes beyond the map ends where it leaves it.
-void MeasurementFlags::leave(const Eigen::Vector3f& direction, float reach) {
+void MeasurementFlags::leave(const Eigen::Vector3f& direction, float reach, Part& part) const {
   const Eigen::Vector3f size = window_.size.cast<float>();
   float t = kNever;
   if (sensor_inside_) {
@@ -142,20 +165,19 @@ void MeasurementFlags::leave(const Eigen::Vector3f& direction, float reach) {
     t = inside.last;
   }
   if (t == kNever) return;
-  end_in(voxel_inside(sensor_ + t * direction, window_.size), flag::kFree, borders_);
+  end_in(voxel_inside(sensor_ + t * direction, window_.size), flag::kFree, part);
 }
 
 /// Flags a voxel in which a ray ends and, the first time, lists it.
-void MeasurementFlags::end_in(const VoxelIndex& voxel, std::uint8_t flag,
-                              std::vector<VoxelIndex>& ends) {
-  std::uint8_t& f = flags_[window_.index(window_.origin + voxel)];
+void MeasurementFlags::end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& part) const {
+  std::uint8_t& f = part.flags[window_.index(window_.origin + voxel)];
   if (f >= flag) return;
   f = flag;
-  ends.push_back(voxel);
+  (flag == flag::kOccupied ? part.hits : part.borders).push_back(voxel);
 }
 
 /// The ray from the sensor through the centre of `end`: free before it and, after a hit, shadow.
-void MeasurementFlags::cast(const VoxelIndex& end, bool hit) {
+void MeasurementFlags::cast(const VoxelIndex& end, bool hit, Part& part) const {
   const Eigen::Vector3f direction = end.cast<float>().array() + 0.5F - sensor_.array();
   const Stretch inside = clip(sensor_, direction, window_.size.cast<float>());
   if (!(inside.first < 1)) return;  // the sensor sits outside the map, the voxel on its border
@@ -164,7 +186,7 @@ void MeasurementFlags::cast(const VoxelIndex& end, bool hit) {
   // The centre is half a voxel from the walls of `end`: rounding cannot carry a wall across t = 1.
   float t = walk.leaves_at();
   while (t < 1) {
-    raise(walk.index(), flag::kFree);
+    part.raise(walk.index(), flag::kFree);
     if (!walk.advance()) return;
     t = walk.leaves_at();
   }
@@ -173,7 +195,7 @@ void MeasurementFlags::cast(const VoxelIndex& end, bool hit) {
   const float steps = direction.norm() * flag::kStepsPerVoxel;
   while (walk.advance()) {
     const float behind = std::min((t - 1) * steps, float{flag::kShadow - 1});
-    raise(walk.index(), static_cast<std::uint8_t>(flag::kShadow - static_cast<int>(behind)));
+    part.raise(walk.index(), static_cast<std::uint8_t>(flag::kShadow - static_cast<int>(behind)));
     t = walk.leaves_at();
   }
 }

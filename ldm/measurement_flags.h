@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "ldm/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/types.h"
 
@@ -29,23 +30,31 @@ inline float shadow_distance(std::uint8_t f) {
 class MeasurementFlags {
  public:
   /// `shadows` says whether rays go on behind their return: needed by eq. 10 alone.
-  MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows);
+  MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows,
+                   std::int64_t threads = 1);
 
   /// Replace all flags by those of `scan` in `window`.
   /// Cost: the points, and the voxels their rays cross.
   void mark(const Scan& scan, const VoxelBox& window);
 
   /// In window order (see VoxelBox::index).
-  std::span<const std::uint8_t> flags() const { return flags_; }
+  std::span<const std::uint8_t> flags() const { return parts_[0].flags; }
 
  private:
-  void mark_ends(const Scan& scan);
-  void leave(const Eigen::Vector3f& direction, float reach);
-  void end_in(const VoxelIndex& voxel, std::uint8_t flag, std::vector<VoxelIndex>& ends);
-  void cast(const VoxelIndex& end, bool hit);
-  void raise(std::size_t index, std::uint8_t flag) {
-    if (flags_[index] < flag) flags_[index] = flag;
-  }
+  /// One thread's stretch of the rays, with a grid of its own: the larger flag wins in the end.
+  struct Part {
+    std::vector<std::uint8_t> flags;
+    std::vector<VoxelIndex> hits;     // voxels with a return, each once, from the window's lowest
+    std::vector<VoxelIndex> borders;  // voxels in which rays leave the map, each once
+    void raise(std::size_t index, std::uint8_t flag) {
+      if (flags[index] < flag) flags[index] = flag;
+    }
+  };
+  void mark_ends(const Scan& scan, int number, Part& part) const;
+  void leave(const Eigen::Vector3f& direction, float reach, Part& part) const;
+  void end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& part) const;
+  void cast(const VoxelIndex& end, bool hit, Part& part) const;
+  void combine();
 
   double resolution_;
   bool use_no_returns_;
@@ -53,9 +62,8 @@ class MeasurementFlags {
   VoxelBox window_;
   Eigen::Vector3f sensor_;     // in voxels from the window's lowest corner
   bool sensor_inside_ = true;  // the window
-  std::vector<std::uint8_t> flags_;
-  std::vector<VoxelIndex> hits_;     // voxels with a return, each once, from the window's lowest
-  std::vector<VoxelIndex> borders_;  // voxels in which rays leave the map, each once
+  Parallel parallel_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace ldm

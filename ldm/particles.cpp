@@ -73,7 +73,8 @@ Velocity VelocitySum::mean() const {
 }
 
 Particles::Particles(const MapParameters& map, const ParticleParameters& particles,
-                     const ClusterParameters& clusters, std::uint64_t seed, const RingIndex& index)
+                     const ClusterParameters& clusters, const ExecutionParameters& execution,
+                     const RingIndex& index)
     : resolution_(map.resolution),
       n_init_(static_cast<std::size_t>(particles.count)),
       min_per_voxel_(static_cast<std::uint32_t>(particles.min_per_voxel)),
@@ -82,12 +83,17 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       fraction_bits_(fraction_bits(map.voxels)),
       noise_xy_(particles.sigma_xy / Particle::kVelocityQuantum),
       noise_z_(particles.sigma_z / Particle::kVelocityQuantum),
-      seed_(seed),
+      seed_(execution.seed),
       particles_(n_init_ + 1),
       resampled_(n_init_ + 1),
-      count_(index.count() + 1) {
+      parallel_(execution.threads),
+      parts_(static_cast<std::size_t>(parallel_.parts())) {
   voxels_.reserve(std::min(index.count(), n_init_) + 1);
-  claims_.reserve(voxels_.capacity());
+  for (Part& part : parts_) {
+    part.count.resize(index.count() + 1);
+    part.claims.reserve(voxels_.capacity());
+    part.before.reserve(voxels_.capacity());
+  }
   scatter_uniformly(index);
 }
 
@@ -118,7 +124,12 @@ void Particles::predict_velocity(Particle& p, std::uint64_t bits) const {
 }
 
 void Particles::predict(double dt, const RingIndex& index) {
-  const RandomStream stream(seed_, Purpose::kPrediction, ++frame_);
+  ++frame_;
+  parallel_.run([&](int part) { predict_part(part, dt, index); });
+}
+
+void Particles::predict_part(int part, double dt, const RingIndex& index) {
+  const RandomStream stream(seed_, Purpose::kPrediction, frame_);
   const Eigen::Vector3i& n = index.window().size;
   const auto axis = [&](int a) {
     return AxisMotion(n[a], index.origin_slot()[a], fraction_bits_, dt / resolution_);
@@ -127,9 +138,11 @@ void Particles::predict(double dt, const RingIndex& index) {
   const AxisMotion along_y = axis(1);
   const AxisMotion along_z = axis(2);
   const auto gone = static_cast<std::uint32_t>(index.count());
-  std::fill(count_.begin(), count_.end(), 0U);
+  std::vector<std::uint32_t>& count = parts_[static_cast<std::size_t>(part)].count;
+  std::fill(count.begin(), count.end(), 0U);
+  const auto [begin, end] = parallel_.share(part, n_init_);
   const int f = fraction_bits_;
-  for (std::size_t i = 0; i < n_init_; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     // Fields go back one by one: a particle built on the stack and stored whole would wait for each
     // of its parts (store forwarding), which doubles the time of the pass.
     Particle& p = particles_[i];
@@ -139,13 +152,22 @@ void Particles::predict(double dt, const RingIndex& index) {
     const bool inside_z = along_z.move(p.z, p.vz);
     const int slot = (p.x >> f) + n.x() * ((p.y >> f) + n.y() * (p.z >> f));
     p.slot = (inside_x && inside_y && inside_z) ? static_cast<std::uint32_t>(slot) : gone;
-    ++count_[p.slot];
+    ++count[p.slot];
   }
-  count_[gone] = 0;
+  count[gone] = 0;
 }
 
 void Particles::forget(std::size_t first, std::size_t n) {
-  std::fill_n(count_.begin() + static_cast<std::ptrdiff_t>(first), n, 0U);
+  for (Part& part : parts_) {
+    std::fill_n(part.count.begin() + static_cast<std::ptrdiff_t>(first), n, 0U);
+  }
+}
+
+/// Number of particles in a slot, after `predict`.
+std::uint32_t Particles::count(std::size_t slot) const {
+  std::uint32_t sum = 0;
+  for (const Part& part : parts_) sum += part.count[slot];
+  return sum;
 }
 
 std::uint64_t Particles::updated_weight(float l) const {
@@ -159,15 +181,22 @@ std::uint64_t Particles::normalised(std::uint64_t weight, double claim_per_weigh
 
 void Particles::weigh(const RingBuffer<float>& map) {
   const std::span<const float> log_odds = map.cells();
-  if (std::all_of(count_.begin(), count_.end(), [](std::uint32_t n) { return n == 0; })) {
+  const auto is_empty = [](const Part& part) {
+    return std::all_of(part.count.begin(), part.count.end(), [](auto n) { return n == 0; });
+  };
+  if (std::all_of(parts_.begin(), parts_.end(), is_empty)) {
     scatter_uniformly(map.index());
-    for (std::size_t i = 0; i < n_init_; ++i) ++count_[particles_[i].slot];
+    parallel_.run([this](int part) {
+      const auto [begin, end] = parallel_.share(part, n_init_);
+      std::vector<std::uint32_t>& count = parts_[static_cast<std::size_t>(part)].count;
+      for (std::size_t i = begin; i < end; ++i) ++count[particles_[i].slot];
+    });
   }
   const auto prior = static_cast<std::uint64_t>(kOneWeight / static_cast<double>(n_init_));
   voxels_.assign(1, Voxel{});
   total_weight_ = 0;
   for (std::size_t slot = 0; slot < log_odds.size(); ++slot) {
-    const std::uint32_t count = count_[slot];
+    const std::uint32_t count = this->count(slot);
     const bool needs_births = birth_ && count < min_per_voxel_ && log_odds[slot] > occupied_above_;
     if (count == 0 && !needs_births) continue;
     Voxel voxel{};
@@ -177,44 +206,57 @@ void Particles::weigh(const RingBuffer<float>& map) {
     voxel.weight = updated_weight(log_odds[slot]);
     voxel.birth_weight = voxel.weight - prior;
     total_weight_ += voxel.count * voxel.weight + voxel.births * voxel.birth_weight;
-    count_[slot] = static_cast<std::uint32_t>(voxels_.size());
-    if (needs_births && count > 0) count_[slot] |= kHasBirths;
     voxels_.push_back(voxel);
   }
 }
 
-/// Lays the claims of all voxels end to end from `start`.
+/// Lays the claims of all voxels end to end from `start`; in a voxel, those of part after part.
 void Particles::claim(std::uint64_t start) {
   const double claim_per_weight = static_cast<double>(n_init_) * std::ldexp(1.0, kClaimBits) /
                                   static_cast<double>(total_weight_);
-  claims_.assign(1, Claim{0, 0});
+  for (Part& part : parts_) {
+    part.claims.assign(1, Claim{0, 0});
+    part.before.assign(voxels_.size(), VelocitySum{});
+  }
   std::uint64_t next = start;
   for (std::size_t i = 1; i < voxels_.size(); ++i) {
     Voxel& voxel = voxels_[i];
     const std::uint64_t step = normalised(voxel.weight, claim_per_weight);
-    // Particles that still name a voxel with none are forgotten ones: they claim nothing.
-    claims_.push_back({next, voxel.count > 0 ? step : 0});
     // What is claimed beyond N_init, a trace of rounding, goes to the spare particle and is lost.
     voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> kClaimBits, n_init_));
     voxel.birth_weight = normalised(voxel.birth_weight, claim_per_weight);
-    next += voxel.count * step + voxel.births * voxel.birth_weight;
+    for (Part& part : parts_) {
+      // Particles that still name a voxel with none are forgotten ones: they claim nothing.
+      part.claims.push_back({next, voxel.count > 0 ? step : 0});
+      next += part.count[voxel.slot] * step;
+    }
+    next += voxel.births * voxel.birth_weight;
+    const bool sums_velocities = voxel.births > 0 && voxel.count > 0;
+    places()[voxel.slot] = static_cast<std::uint32_t>(i) | (sums_velocities ? kHasBirths : 0);
   }
 }
 
 void Particles::resample(const RingIndex& index) {
   claim(RandomStream(seed_, Purpose::kResampling, frame_).bits(0) >> (64 - kClaimBits));
-  for (std::size_t i = 0; i < n_init_; ++i) {
-    const Particle& p = particles_[i];
-    const std::uint32_t place = count_[p.slot];
-    Claim& claim = claims_[place & ~kHasBirths];
-    const std::uint64_t begin = claim.next >> kClaimBits;
-    claim.next += claim.step;
-    const std::uint64_t end = claim.next >> kClaimBits;
-    for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;
-    if ((place & kHasBirths) != 0) voxels_[place & ~kHasBirths].before.add(p);
-  }
+  parallel_.run([this](int part) { resample_part(part); });
   bear(index);
   particles_.swap(resampled_);
+}
+
+void Particles::resample_part(int number) {
+  Part& part = parts_[static_cast<std::size_t>(number)];
+  const std::vector<std::uint32_t>& place_of = places();
+  const auto [begin, end] = parallel_.share(number, n_init_);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Particle& p = particles_[i];
+    const std::uint32_t place = place_of[p.slot];
+    Claim& claim = part.claims[place & ~kHasBirths];
+    const std::uint64_t first = claim.next >> kClaimBits;
+    claim.next += claim.step;
+    const std::uint64_t last = claim.next >> kClaimBits;
+    for (std::uint64_t to = first; to < last; ++to) resampled_[to] = p;
+    if ((place & kHasBirths) != 0) part.before[place & ~kHasBirths].add(p);
+  }
 }
 
 /// The newborn of each voxel, behind the copies of those that were there.
@@ -227,34 +269,39 @@ void Particles::bear(const RingIndex& index) {
     const int slot = static_cast<int>(voxel.slot);
     const Eigen::Vector3i cell(slot % n.x(), slot / n.x() % n.y(), slot / n.x() / n.y());
     const Eigen::Vector3i corner = cell * (1 << fraction_bits_);
-    std::uint64_t next = claims_[i].next;
+    std::uint64_t next = parts_.back().claims[i].next;
+    VelocitySum before;
+    for (const Part& part : parts_) before.add(part.before[i]);
     for (std::uint32_t birth = 0; birth < voxel.births; ++birth) {
       const std::uint64_t begin = next >> kClaimBits;
       next += voxel.birth_weight;
       const std::uint64_t end = next >> kClaimBits;
       if (begin == end) continue;
       const std::uint64_t draw = (std::uint64_t{voxel.slot} << 32) + 2 * birth;
-      Particle p = newborn(voxel, corner, stream.bits(draw));
+      Particle p = newborn(voxel.slot, before.mean(), corner, stream.bits(draw));
       predict_velocity(p, stream.bits(draw + 1));
       for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;
     }
   }
 }
 
-Particle Particles::newborn(const Voxel& voxel, const Eigen::Vector3i& corner,
+Particle Particles::newborn(std::uint32_t slot, const Velocity& mean, const Eigen::Vector3i& corner,
                             std::uint64_t bits) const {
-  const Velocity mean = voxel.before.mean();
   const auto along = [&](int axis, std::uint64_t random) {
     const std::uint64_t within = random & ((std::uint64_t{1} << fraction_bits_) - 1);
     return static_cast<std::uint16_t>(corner[axis] + static_cast<int>(within));
   };
-  return {along(0, bits),      along(1, bits >> 16), along(2, bits >> 32),
-          quantised(mean.x()), quantised(mean.y()),  quantised(mean.z()),
-          voxel.slot};
+  return {along(0, bits),
+          along(1, bits >> 16),
+          along(2, bits >> 32),
+          quantised(mean.x()),
+          quantised(mean.y()),
+          quantised(mean.z()),
+          slot};
 }
 
 std::span<Particle> Particles::slot_range(std::size_t slot) {
-  const std::size_t place = count_[slot] & ~kHasBirths;
+  const std::size_t place = places()[slot] & ~kHasBirths;
   if (place == 0) return {};
   const std::size_t first = voxels_[place].first;
   const std::size_t last = place + 1 < voxels_.size() ? voxels_[place + 1].first : n_init_;

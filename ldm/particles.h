@@ -5,10 +5,14 @@
 /// voxel; `resample` copies each to where its copies belong, which sorts them by voxel as well. In
 /// between, `weigh` walks the voxels: after resampling all weights are equal, so the weight of
 /// eq. 11 is a number of the voxel, and no particle has to store one.
+///
+/// Threads share the particles out in stretches. Each counts its own, and finds its place in the
+/// comb behind the stretches before it: the result is the same bits for any number of threads.
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "ldm/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/random.h"
 #include "ldm/ring_buffer.h"
@@ -45,7 +49,8 @@ class Particles {
  public:
   /// N_init particles, evenly over the window of `index`, velocities N(0, Sigma) (Sec. 3.1).
   Particles(const MapParameters& map, const ParticleParameters& particles,
-            const ClusterParameters& clusters, std::uint64_t seed, const RingIndex& index);
+            const ClusterParameters& clusters, const ExecutionParameters& execution,
+            const RingIndex& index);
 
   /// Move all particles by dt [s]; those that leave the window of `index` are gone. Cost: one pass.
   void predict(double dt, const RingIndex& index);
@@ -88,23 +93,35 @@ class Particles {
     std::uint32_t first;   // its first particle after resampling
     std::uint64_t weight;  // of each particle here before
     std::uint64_t birth_weight;
-    VelocitySum before;  // of the particles here before; only where there are births
   };
   /// The comb of systematic resampling runs through the claims of all particles, voxel by voxel.
   struct Claim {
     std::uint64_t next;  // where the next particle of this voxel begins [2^-32 particles]
     std::uint64_t step;  // what each particle claims
   };
-  static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in count_
+  static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in a count
+  /// One thread's stretch of the particles.
+  struct Part {
+    std::vector<std::uint32_t> count;  // per slot, and one for all that left: number of particles
+    std::vector<Claim> claims;         // beside voxels_
+    std::vector<VelocitySum> before;   // beside voxels_: of the particles here before resampling;
+                                       // only where there are births
+  };
 
   void scatter_uniformly(const RingIndex& index);
+  void predict_part(int part, double dt, const RingIndex& index);
   void claim(std::uint64_t start);
+  void resample_part(int part);
   void bear(const RingIndex& index);
   /// v_k = v_{k-1} + sigma.  Eq. (4)
   void predict_velocity(Particle& p, std::uint64_t bits) const;
-  /// V_k^j + sigma, evenly in the voxel at `corner`.  Eq. (13)
-  Particle newborn(const Voxel& voxel, const Eigen::Vector3i& corner, std::uint64_t bits) const;
+  /// Evenly in the voxel at `corner`, with V_k^j; predict_velocity adds the sigma.  Eq. (13)
+  Particle newborn(std::uint32_t slot, const Velocity& mean, const Eigen::Vector3i& corner,
+                   std::uint64_t bits) const;
   std::span<Particle> slot_range(std::size_t slot);
+  std::uint32_t count(std::size_t slot) const;
+  /// Per slot, from `weigh` on: its place in voxels_, 0 for none.
+  std::vector<std::uint32_t>& places() { return parts_[0].count; }
 
   double resolution_;
   std::size_t n_init_;
@@ -119,10 +136,9 @@ class Particles {
 
   std::vector<Particle> particles_;  // one more than N_init: see `normalised`
   std::vector<Particle> resampled_;
-  std::vector<std::uint32_t> count_;  // per slot, and one for all that left: number of particles;
-                                      // from `weigh` on the place in voxels_, 0 for none
-  std::vector<Voxel> voxels_;         // in slot order; the first is nobody's
-  std::vector<Claim> claims_;         // beside voxels_
+  std::vector<Voxel> voxels_;  // in slot order; the first is nobody's
+  Parallel parallel_;
+  std::vector<Part> parts_;
   std::uint64_t total_weight_ = 0;
 };
 

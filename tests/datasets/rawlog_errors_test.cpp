@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "datasets/rawlog.h"
-#include "rawlog_recording.h"
+#include "tests/datasets/rawlog_recording.h"
 
 namespace datasets {
 namespace {

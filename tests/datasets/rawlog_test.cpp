@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "datasets/simulation.h"
-#include "rawlog_recording.h"
+#include "tests/datasets/rawlog_recording.h"
 
 namespace datasets {
 namespace {

@@ -45,7 +45,7 @@ TEST_P(DeterminismTest, SameSeedSameBits) {
   EXPECT_EQ(flight(GetParam(), 5), flight(1, 5));
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, DeterminismTest, testing::Values(1, 2, 4));
+INSTANTIATE_TEST_SUITE_P(Threads, DeterminismTest, testing::Values(1, 2, 3, 4, 8));
 
 TEST(SeedTest, AnotherSeedOtherBits) {
   EXPECT_NE(flight(1, 1), flight(1, 2));

@@ -36,7 +36,7 @@ struct ParticleFilter {
   ParticleFilter(const MapParameters& map, const ParticleParameters& parameters,
                  std::uint64_t seed = 1, const VoxelIndex& centre = VoxelIndex::Zero())
       : log_odds(placed(map.voxels, centre)),
-        particles(map, parameters, {}, seed, log_odds.index()) {}
+        particles(map, parameters, {}, {.threads = 1, .seed = seed}, log_odds.index()) {}
 
   void update() {
     particles.weigh(log_odds);

@@ -170,7 +170,7 @@ TEST_F(SparseParticlesTest, ThresholdIsThatOfTheClusters) {
   ClusterParameters clusters;
   clusters.occupied_above = 0.7;
   RingBuffer<float> log_odds({32, 32, 32});
-  Particles particles(map_of({32, 32, 32}), particle_parameters(1, 0), clusters, 1,
+  Particles particles(map_of({32, 32, 32}), particle_parameters(1, 0), clusters, {},
                       log_odds.index());
   const auto total = [&](float l) {
     std::fill(log_odds.cells().begin(), log_odds.cells().end(), l);
