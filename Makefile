@@ -16,6 +16,10 @@ FRESH    ?=
 NATIVE   ?=
 JOBS     ?= $(shell nproc)
 RESULTS  ?= results
+SLURM    ?=
+SHARDS   ?= 4
+CPUS     ?= 1
+SBATCH_FLAGS ?=
 
 BUILD := build$(if $(NATIVE),-native)
 LDM   ?= $(BUILD)/bin/ldm
@@ -34,23 +38,30 @@ help: ## list the targets
 #:   FRESH=1        run all trials again    JOBS=n    processes at a time (default: all cores)
 #:   METHODS="a b"  methods to compare      NATIVE=1  build for this very machine, in build-native/
 #:   PLUGIN=FILE.so methods from outside, of a study or to compare: docs/variants.md
+#:   SLURM=1        trials over Slurm, as an array of SHARDS=n (4) jobs with CPUS=n (1) each;
+#:                  SBATCH_FLAGS="--time=2:00:00 ..." more options of sbatch: docs/studies.md
 
 # --- Set-up and build ------------------------------------------------------------------------------
 
+# $(call install,LIST): what apt lacks of the packages in the file LIST.
+define install
+@wanted=$$(sed 's/#.*//' $(1)); \
+if ! command -v apt-get >/dev/null; then \
+  echo "setup: no apt on this system; install the equivalents of:" $$wanted >&2; exit 1; fi; \
+present=$$(dpkg-query --show --showformat '$${db:Status-Abbrev}$${Package}\n' | sed -n 's/^ii //p'); \
+missing=$$(comm -23 <(printf '%s\n' $$wanted | sort -u) <(sort -u <<< "$$present")); \
+if [ -z "$$missing" ]; then exit 0; fi; \
+echo "setup: installing" $$missing; \
+as_root=; if [ "$$(id -u)" != 0 ]; then as_root=sudo; command -v sudo >/dev/null || { \
+  echo "setup: not root and no sudo; as root: apt-get install" $$missing >&2; exit 1; }; fi; \
+{ $$as_root apt-get update -q && $$as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends $$missing; } || { \
+  echo "setup: apt-get failed; the packages are those of Debian 12" >&2; exit 1; }
+endef
+
 .PHONY: setup
 setup: ## install the Debian packages that are missing (apt-packages.txt)
-	@wanted=$$(sed 's/#.*//' apt-packages.txt); \
-	if ! command -v dpkg-query apt-get >/dev/null; then \
-	  echo "setup: no apt on this system; install the equivalents of:" $$wanted >&2; exit 1; fi; \
-	present=$$(dpkg-query --show --showformat '$${db:Status-Abbrev}$${Package}\n' | sed -n 's/^ii //p'); \
-	missing=$$(comm -23 <(printf '%s\n' $$wanted | sort -u) <(sort -u <<< "$$present")); \
-	if [ -z "$$missing" ]; then exit 0; fi; \
-	echo "setup: installing" $$missing; \
-	as_root=; if [ "$$(id -u)" != 0 ]; then as_root=sudo; command -v sudo >/dev/null || { \
-	  echo "setup: not root and no sudo; as root: apt-get install" $$missing >&2; exit 1; }; fi; \
-	{ $$as_root apt-get update -q && $$as_root env DEBIAN_FRONTEND=noninteractive \
-	    apt-get install -q -y --no-install-recommends $$missing; } || { \
-	  echo "setup: apt-get failed; the packages are those of Debian 12" >&2; exit 1; }
+	$(call install,apt-packages.txt)
 
 # Configured once; afterwards CMake itself notices changed lists and new test files.
 $(BUILD)/Makefile: | setup
@@ -84,6 +95,15 @@ test: build ## run all tests: GoogleTest through ctest, then pytest
 	echo; grep 'tests passed' $(BUILD)/ctest.log; tail -n 1 $(BUILD)/pytest.log; \
 	exit $$outcome
 
+.PHONY: test-slurm
+test-slurm: program ## a study over a real Slurm of two nodes, one of which is lost: 4 minutes
+	$(call install,tests/slurm/apt-packages.txt)
+	@env -u MAKEFLAGS -u MFLAGS LDM=$(LDM) $(PYTHON) -m pytest tests/slurm/lost_node.py
+
+.PHONY: test-scale
+test-scale: program ## what a study of 10,000 trials costs beside its trials: docs/studies.md
+	@$(PYTHON) tests/scale/ten_thousand_trials.py --program $(LDM) --jobs '$(JOBS)'
+
 .PHONY: equations
 equations: ## print the index of the paper's equations: symbol, file, test
 	@$(PYTHON) tests/equations.py
@@ -103,11 +123,20 @@ format: setup ## lay out all C++ with clang-format
 # $(call run_study,NAME). Times count only where trials run one after the other.
 run_study = $(PYTHON) experiments/run_study.py $(1) --program $(LDM) --results $(RESULTS) \
   --jobs '$(JOBS)' $(if $(filter timing,$(1)),--serial) $(if $(SEEDS),--seeds '$(SEEDS)') \
-  $(if $(FRAMES),--frames '$(FRAMES)') $(if $(FRESH),--fresh) $(foreach file,$(PLUGIN),--plugin '$(file)')
+  $(if $(FRAMES),--frames '$(FRAMES)') $(if $(FRESH),--fresh) $(slurm) $(foreach file,$(PLUGIN),--plugin '$(file)')
+slurm = $(if $(SLURM),--shards '$(SHARDS)' --shard-cpus '$(CPUS)' --sbatch-flags='$(subst ','\'',$(SBATCH_FLAGS))')
 # Folder of a study's results, as run_study.py names it.
 folder = $(1)$(if $(FRAMES),-f$(FRAMES))
 # $(call analyse,SCRIPT,STUDY)
 analyse = $(PYTHON) -m analysis.$(1) --results $(RESULTS) --study $(call folder,$(2))
+
+# Tables and figures of a study; those not named here are sweeps, ablations, or end as one.
+scripts_table1 = table1 velocity_figures
+scripts_velocity = velocity velocity_figures
+scripts_timing = computation_time
+define draw
+$(foreach script,$(or $(scripts_$(STUDY)),sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
+endef
 
 # Figure 5 needs a recorded world of each scenario, Figures 6 to 9 the records. Prints what it made.
 define draw_figures
@@ -132,7 +161,11 @@ smoke: FRESH = 1
 smoke: reproduce ## the path of `make reproduce` in two minutes: 2 seeds of 100 frames
 
 .PHONY: study
-study: study-named program ## run the missing trials of STUDY=name; failed ones are tried again
+study: trials ## run the missing trials of STUDY=name, failed ones again; then its tables and figures
+	@$(draw)
+
+.PHONY: trials
+trials: study-named program ## run the missing trials of STUDY=name, no more
 	@$(call run_study,$(STUDY))
 
 .PHONY: study-named
@@ -140,12 +173,12 @@ study-named:
 	@[ -n '$(STUDY)' ] || { echo "STUDY=name is missing; 'make studies' lists them" >&2; exit 2; }
 
 .PHONY: plot
-plot: study-named setup ## figure and table of STUDY=name, a sweep or ablation, from the results that exist
-	@$(call analyse,sweep_figure,$(STUDY))
+plot: study-named setup ## tables and figures of STUDY=name, from the results that exist
+	@$(draw)
 
 .PHONY: studies
-studies: program ## list the studies with their numbers of trials
-	@$(LDM) studies
+studies: program ## list the studies: number of trials, estimated time on JOBS cores
+	@$(PYTHON) experiments/list_studies.py --program $(LDM) --results $(RESULTS) --jobs '$(JOBS)' --serial timing
 
 .PHONY: timing
 timing: program ## computation time of each stage, trials one after the other
@@ -165,6 +198,10 @@ tables: setup ## Table 1 and the velocity errors, from the results that exist
 .PHONY: figures
 figures: program ## Figures 5 to 9, from the results that exist
 	@$(draw_figures)
+
+# --- Report ----------------------------------------------------------------------------------------
+
+include paper/paper.mk
 
 # --- Cleaning --------------------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@ Example: /usr/bin/python3 -m analysis.computation_time --results results --study
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Sequence
 
 import numpy as np
@@ -142,6 +143,16 @@ def _paper_ms(method: str) -> float | None:
     return published()["computation_time"]["total_ms"].get(method)
 
 
+def draw(study: Study, records: list[dict], table: pd.DataFrame, folder: Path) -> list[Path]:
+    """Make the figure in `folder`; returns the pictures."""
+    caption = (
+        f"Computation time of one update on {records[0]['provenance']['cpu']}: mean over trials "
+        "with its 95% bootstrap interval. Above: stages of ldm; below: all methods. "
+        f"Source: {study.source()}."
+    )
+    return save(time_figure(table), folder / "computation_time", caption)
+
+
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the table and the figure of one study."""
     args = parser(__doc__, study="timing").parse_args(argv)
@@ -153,13 +164,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     text = table_text(study, records, table)
     write_text(study.folder / "tables" / "computation_time.txt", text)
     write_csv(study.folder / "tables" / "computation_time.csv", table)
-    caption = (
-        f"Computation time of one update on {records[0]['provenance']['cpu']}: mean over trials "
-        "with its 95% bootstrap interval. Above: stages of ldm; below: all methods. "
-        f"Source: {study.source()}."
-    )
-    made = save(time_figure(table), study.folder / "figures" / "computation_time", caption)
-    print(text, *made, sep="\n")
+    print(text, *draw(study, records, table, study.folder / "figures"), sep="\n")
 
 
 if __name__ == "__main__":

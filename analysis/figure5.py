@@ -111,13 +111,17 @@ def _read(file: Path, columns: list[str]) -> pd.DataFrame:
     return table
 
 
-def main(argv: Sequence[str] | None = None) -> None:
-    """Draw all worlds of one folder."""
-    args = parser(__doc__, study="worlds").parse_args(argv)
-    folder = args.results / args.study
-    files = sorted(folder.glob("*.truth.csv"))
+def draw(worlds_folder: Path, folder: Path) -> list[Path]:
+    """Draw all worlds of one folder into another; returns the pictures.
+
+    Raises
+    ------
+    InputError
+        If there is no world.
+    """
+    files = sorted(worlds_folder.glob("*.truth.csv"))
     if not files:
-        raise InputError(f"{folder}: holds no *.truth.csv; `ldm simulate` writes them")
+        raise InputError(f"{worlds_folder}: holds no *.truth.csv; `ldm simulate` writes them")
     worlds = {file.name.removesuffix(".truth.csv"): read_world(file) for file in files}
     caption = (
         "Figure 5. Simulation scenarios from above: bounding boxes at the first frame, blue "
@@ -125,7 +129,14 @@ def main(argv: Sequence[str] | None = None) -> None:
         "start to the point they get farthest to; vermillion: path of the UAV, from the dot. "
         f"Source: {', '.join(file.name for file in files)}."
     )
-    print(*save(worlds_figure(worlds), folder / "figures" / "figure5", caption), sep="\n")
+    return save(worlds_figure(worlds), folder / "figure5", caption)
+
+
+def main(argv: Sequence[str] | None = None) -> None:
+    """Draw all worlds of one folder."""
+    args = parser(__doc__, study="worlds").parse_args(argv)
+    folder = args.results / args.study
+    print(*draw(folder, folder / "figures"), sep="\n")
 
 
 if __name__ == "__main__":

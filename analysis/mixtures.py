@@ -9,7 +9,7 @@ from typing import Callable
 from analysis.errors import InputError
 
 # Differs between the replicates of a method by design.
-_PER_TRIAL_PARAMETERS = ("execution.seed",)
+PER_TRIAL_PARAMETERS = ("execution.seed",)
 
 
 def refuse_mixtures(records: list[dict], where: Path) -> None:
@@ -77,7 +77,7 @@ def _refuse_different_parameters(records: list[dict], where: Path) -> None:
             continue
         for name in sorted(other["parameters"].keys() | record["parameters"].keys()):
             a, b = other["parameters"].get(name), record["parameters"].get(name)
-            if a != b and name not in _PER_TRIAL_PARAMETERS:
+            if a != b and name not in PER_TRIAL_PARAMETERS:
                 what = " ".join(filter(None, [f"{name} for", *group]))
                 raise _mixture(where, what, other, record, a, b)
 

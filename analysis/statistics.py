@@ -75,6 +75,22 @@ def mean_interval(values: np.ndarray) -> Interval:
     return Interval(mean, float(found.low), float(found.high), n)
 
 
+def interval_of_one_more(values: np.ndarray) -> tuple[float, float]:
+    """Where one more value would lie with a probability of 95%, if all are normal (Student's t).
+
+    Parameters
+    ----------
+    values : (n,) one per seed; of fewer than two nothing is known, and the interval is everything
+    """
+    values = np.asarray(values, dtype=float)
+    if len(values) < 2:
+        return -math.inf, math.inf
+    quantile = stats.t.ppf((1 + CONFIDENCE) / 2, len(values) - 1)
+    reach = float(quantile * np.std(values, ddof=1) * math.sqrt(1 + 1 / len(values)))
+    mean = float(np.mean(values))
+    return mean - reach, mean + reach
+
+
 def compare_pairs(method: np.ndarray, baseline: np.ndarray, better: str) -> PairedComparison:
     """Compare two methods on the same seeds.
 

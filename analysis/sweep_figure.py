@@ -14,6 +14,7 @@ Example: /usr/bin/python3 -m analysis.sweep_figure --results results --study par
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Sequence
 
 import pandas as pd
@@ -92,6 +93,15 @@ def _cell(value: Interval | None, score: Score) -> str:
     return NOTHING if value is None else interval(value, score.decimals)
 
 
+def draw(study: Study, table: pd.DataFrame, scores: list[Score], stem: Path) -> list[Path]:
+    """Make the figure STEM.png, STEM.pdf; returns the pictures."""
+    caption = (
+        "Mean over seeds with its 95% bootstrap interval; all methods meet the same worlds. "
+        f"Source: {study.source()}."
+    )
+    return save(sweep_figure(study, table, scores), stem, caption)
+
+
 def main(argv: Sequence[str] | None = None) -> None:
     """Make figure and table of one study."""
     args_parser = parser(__doc__, study="ablation")
@@ -112,14 +122,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     points = pd.DataFrame([{"point": label} | point for label, point in study.points.items()])
     write_text(study.folder / "tables" / f"{study.name}.txt", text)
     write_csv(study.folder / "tables" / f"{study.name}.csv", table.merge(points, on="point"))
-    caption = (
-        "Mean over seeds with its 95% bootstrap interval; all methods meet the same worlds. "
-        f"Source: {study.source()}."
-    )
-    made = save(
-        sweep_figure(study, table, scores), study.folder / "figures" / study.name, caption
-    )
-    print(text, *made, sep="\n")
+    print(text, *draw(study, table, scores, study.folder / "figures" / study.name), sep="\n")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ Example: /usr/bin/python3 -m analysis.table1 --results results --study table1
 from __future__ import annotations
 
 import sys
+from types import ModuleType
 from typing import Sequence
 
 from analysis import accuracy_table, velocity_table
@@ -19,7 +20,21 @@ from analysis.command_line import parser, report_notes, run
 from analysis.mean_table import Means, mean_table
 from analysis.orderings import orderings_frame
 from analysis.output import write_csv, write_text
-from analysis.records import load_study
+from analysis.records import Study, load_study
+
+
+def write_part(name: str, part: ModuleType, study: Study) -> str:
+    """Write the files NAME of one table, `accuracy_table` or `velocity_table`; its text."""
+    table = mean_table(study, part.SHOWN)
+    means = Means(table)
+    found = part.judge_orderings(study)
+    text = part.table_text(study, means, found)
+    folder = study.folder / "tables"
+    write_text(folder / f"{name}.txt", text)
+    write_csv(folder / f"{name}.csv", long_table(table, part.SHOWN, part.published_cell))
+    write_csv(folder / f"{name}_orderings.csv", orderings_frame(found))
+    write_text(folder / f"{name}.tex", part.tabular(study, means))
+    return text
 
 
 def main(argv: Sequence[str] | None = None) -> None:
@@ -28,17 +43,8 @@ def main(argv: Sequence[str] | None = None) -> None:
     study = load_study(args.results, args.study)
     study.require_no_sweep()
     report_notes(study)
-    table = mean_table(study, accuracy_table.SHOWN + velocity_table.SHOWN)
-    means = Means(table)
-    folder = study.folder / "tables"
-    for name, part in (("table1", accuracy_table), ("velocity", velocity_table)):
-        found = part.judge_orderings(study)
-        text = part.table_text(study, means, found)
-        write_text(folder / f"{name}.txt", text)
-        write_csv(folder / f"{name}.csv", long_table(table, part.SHOWN, part.published_cell))
-        write_csv(folder / f"{name}_orderings.csv", orderings_frame(found))
-        write_text(folder / f"{name}.tex", part.tabular(study, means))
-        print(text)
+    print(write_part("table1", accuracy_table, study))
+    print(write_part("velocity", velocity_table, study))
 
 
 if __name__ == "__main__":

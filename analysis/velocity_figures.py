@@ -149,13 +149,8 @@ def _same_stay(a: ObjectSeries | None, b: ObjectSeries | None) -> bool:
     return a.object == b.object and np.array_equal(a.frame, b.frame)
 
 
-def main(argv: Sequence[str] | None = None) -> None:
-    """Make the figures of one study."""
-    args = parser(__doc__, study="table1").parse_args(argv)
-    study = load_study(args.results, args.study)
-    study.require_no_sweep()
-    report_notes(study)
-    folder = study.folder / "figures"
+def draw(study: Study, folder: Path) -> list[Path]:
+    """Make all figures of a study in `folder`; returns the pictures."""
     styles = f"Dotted: {display_name(PAIR[1])}; black: {display_name(PAIR[0])}"
 
     static = choose_shown(study, STATIC_SCENARIO, dynamic=False)
@@ -168,10 +163,18 @@ def main(argv: Sequence[str] | None = None) -> None:
             f"{styles}; blue: ground truth. {dynamic.rule}"
         )
         made += save(component_figure(dynamic, axis), folder / f"figure{7 + axis}", caption)
-    made += save(
+    return made + save(
         distribution_figure(study), folder / "velocity_errors", distribution_caption(study)
     )
-    print(*made, sep="\n")
+
+
+def main(argv: Sequence[str] | None = None) -> None:
+    """Make the figures of one study."""
+    args = parser(__doc__, study="table1").parse_args(argv)
+    study = load_study(args.results, args.study)
+    study.require_no_sweep()
+    report_notes(study)
+    print(*draw(study, study.folder / "figures"), sep="\n")
 
 
 if __name__ == "__main__":

@@ -8,8 +8,8 @@ CircularBufferPf::CircularBufferPf(const ldm::Parameters& parameters)
     : map_(parameters),
       cluster_parameters_(parameters.clusters),
       index_(map_.log_odds().index()),
-      particles_(parameters.map, parameters.particles, parameters.clusters,
-                 parameters.execution, index_),
+      particles_(parameters.map, parameters.particles, parameters.clusters, parameters.execution,
+                 index_),
       clustering_(parameters.map, parameters.clusters) {}
 
 void CircularBufferPf::update(const ldm::Scan& scan, ldm::StageListener* listener) {

@@ -55,10 +55,10 @@ class RawlogReader::Log {
  public:
   explicit Log(const fs::path& rawlog)
       : files_(rawlog),
+        archive_(files_.rawlog),
         description_(read_description(files_.description)),
         beams_(description_.lidar),
-        sidecars_(files_, description_.frames),
-        archive_(files_.rawlog) {
+        sidecars_(files_, description_.frames) {
     image_.channels = static_cast<std::int32_t>(description_.lidar.elevations.size());
     image_.azimuths = description_.lidar.azimuths;
   }
@@ -140,10 +140,10 @@ class RawlogReader::Log {
   }
 
   LogFiles files_;
+  GzArchive archive_;
   LogDescription description_;
   BeamTable beams_;
   SidecarReader sidecars_;
-  GzArchive archive_;
   RangeImage image_;
   std::int64_t next_ = 0;
 };

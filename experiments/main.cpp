@@ -9,6 +9,7 @@
 #include "experiments/listings.h"
 #include "experiments/plugins.h"
 #include "experiments/provenance.h"
+#include "experiments/render.h"
 #include "experiments/run.h"
 #include "experiments/simulate.h"
 #include "experiments/text.h"
@@ -46,6 +47,7 @@ class CommandLine {
     add_lists();
     add_simulate();
     add_run();
+    add_render();
     add_trial();
   }
 
@@ -132,15 +134,32 @@ class CommandLine {
               experiments::run(run_, folders());
               return kGood;
             });
-    command->add_option("METHOD", run_.method, "a method that `ldm methods` lists")->required();
-    command->add_option("INPUT", run_.input, "scenario (name or .toml file) or .rawlog file")
-        ->required();
+    add_method_and_input(command, run_);
     command->add_option("-o,--output", run_.output, "folder, made if it is missing")->required();
-    command->add_option("-c,--config", run_.config, "TOML file of parameters");
-    repeatable(
-        command->add_option("--set", run_.settings, "name=value of a parameter; may be repeated"));
-    command->add_option("--seed", run_.seed, "of a scenario's world (default 1)");
     command->add_option("--frames", run_.frames, "stop after so many")->check(CLI::PositiveNumber);
+  }
+
+  void add_render() {
+    CLI::App* command = add("render", "draw what a method knows after a frame",
+                            "ldm render ldm scenario3 --frame 211 -o map.png", [this] {
+                              experiments::render(render_, folders());
+                              return kGood;
+                            });
+    add_method_and_input(command, render_);
+    command->add_option("-o,--output", render_.output, "FILE.png")->required();
+    command->add_option("--frame", render_.frame, "number of the frame, from 0")
+        ->required()
+        ->check(CLI::NonNegativeNumber);
+  }
+
+  static void add_method_and_input(CLI::App* command, experiments::MethodOnInput& request) {
+    command->add_option("METHOD", request.method, "a method that `ldm methods` lists")->required();
+    command->add_option("INPUT", request.input, "scenario (name or .toml file) or .rawlog file")
+        ->required();
+    command->add_option("-c,--config", request.config, "TOML file of parameters");
+    repeatable(command->add_option("--set", request.settings,
+                                   "name=value of a parameter; may be repeated"));
+    command->add_option("--seed", request.seed, "of a scenario's world (default 1)");
   }
 
   void add_trial() {
@@ -183,6 +202,7 @@ class CommandLine {
   std::optional<std::string> method_;
   experiments::SimulateRequest simulate_;
   experiments::RunRequest run_;
+  experiments::RenderRequest render_;
   experiments::TrialRequest trial_;
   std::filesystem::path record_file_;
 };

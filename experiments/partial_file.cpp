@@ -12,17 +12,18 @@
 namespace experiments {
 namespace {
 
-/// Hidden, and with the process id: two runs may write the same file.
-std::filesystem::path temporary_name(const std::filesystem::path& final_name) {
+/// Hidden, and with the process id: two runs may write the same file. The ending stays: it tells
+/// some libraries what to write.
+std::filesystem::path hidden_name(const std::filesystem::path& final_name) {
   std::string name(1, '.');
-  name.append(final_name.filename().string()).append(".").append(std::to_string(getpid()));
-  return final_name.parent_path() / name.append(".part");
+  name.append(final_name.stem().string()).append(".").append(std::to_string(getpid()));
+  return final_name.parent_path() / name.append(".part").append(final_name.extension().string());
 }
 
 }  // namespace
 
 PartialFile::PartialFile(std::filesystem::path final_name)
-    : final_name_(std::move(final_name)), temporary_name_(temporary_name(final_name_)) {
+    : final_name_(std::move(final_name)), temporary_name_(hidden_name(final_name_)) {
   if (std::filesystem::is_directory(final_name_)) {
     throw ldm::InvalidInput(final_name_.string() + ": is a folder: allowed: the name of a file");
   }

@@ -15,6 +15,8 @@ class PartialFile {
   PartialFile& operator=(const PartialFile&) = delete;
 
   std::ostream& stream() { return stream_; }
+  /// For a library that opens files itself, in place of the stream.
+  const std::filesystem::path& temporary_name() const { return temporary_name_; }
   /// Give the file its final name, in place of an older one.
   /// @throws std::runtime_error if something could not be written.
   void commit();

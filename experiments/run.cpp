@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "datasets/rawlog.h"
-#include "datasets/simulation.h"
 #include "experiments/evaluation.h"
 #include "experiments/partial_file.h"
 #include "experiments/progress_line.h"
@@ -13,35 +11,6 @@
 
 namespace experiments {
 namespace {
-
-ldm::Parameters resolve(const RunRequest& request, const Method& method) {
-  ldm::Parameters parameters = default_parameters(method);
-  parameters.execution.threads = 0;
-  if (request.config) {
-    for (const Setting& setting : read_settings(*request.config)) {
-      apply(setting, method, parameters);
-    }
-  }
-  for (const std::string& argument : request.settings) {
-    apply(parse_setting(argument), method, parameters);
-  }
-  return parameters;
-}
-
-std::unique_ptr<datasets::FrameSource> open_input(const RunRequest& request,
-                                                  const DataFolders& folders) {
-  if (!request.input.ends_with(".rawlog")) {
-    const datasets::Scenario scenario =
-        datasets::read_scenario(folders.scenarios.file(request.input));
-    return std::make_unique<datasets::Simulation>(scenario, request.seed.value_or(1),
-                                                  request.frames);
-  }
-  if (request.seed) {
-    throw ldm::InvalidInput("--seed " + std::to_string(*request.seed) +
-                            ": allowed: with a scenario; a log has no seed");
-  }
-  return std::make_unique<datasets::RawlogReader>(request.input);
-}
 
 void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map, std::ostream& out) {
   for (std::size_t i = 0; i < map.clusters.size(); ++i) {
@@ -99,10 +68,11 @@ void run(const RunRequest& request, const DataFolders& folders) {
   RunSummary summary{.command = request.command,
                      .method = request.method,
                      .input = request.input,
-                     .parameters = resolve(request, method),
+                     .parameters = parameters_of(request, method),
                      .plugin = plugin_of(method),
                      .evaluation = {}};
-  const std::unique_ptr<datasets::FrameSource> source = open_input(request, folders);
+  const std::unique_ptr<datasets::FrameSource> source =
+      open_input(request, folders, request.frames);
   make_folder(request.output);
   PartialFile clusters(request.output / "clusters.csv");
   PartialFile timing(request.output / "timing.csv");

@@ -1,136 +1,24 @@
 """Run the missing trials of one study; `make study` calls it and documents its options.
 
-Make runs the trials (trials.mk); this script says which, keeps results of different programs apart,
-shows progress, and tells what failed. A method that the study lacks (--methods) has its trials in a
-folder of its own, STUDY+METHOD: held against the study's, they leave its records alone.
+Make runs the trials (trials.mk), on this machine or in the tasks of a Slurm job; this script says
+which, keeps results of different programs apart, and tells what failed. A method that the study
+lacks (--methods) has its trials in a folder of its own, STUDY+METHOD: held against the study's, they
+leave its records alone.
 Exit codes: 0 all trials good, 1 some failed or the records are stale, 2 bad input, 130 interrupted.
 """
 
 import argparse
-import fcntl
-import hashlib
 import os
 import re
-import selectors
 import shlex
-import shutil
-import signal
-import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-from progress import Progress
+import interruption
+import local_run
+import slurm_run
+from study_folder import Study
 
-HERE = Path(__file__).resolve().parent
 LISTED_FAILURES = 20
-INTERRUPTED = 130  # exit code, as of a shell
-
-
-class Interrupted(Exception):
-    """Ctrl-C, or a polite request to end."""
-
-
-class Study:
-    """A study's folder of results: `records/ID.json`, and MANIFEST, which says what made them.
-
-    With `method`, of that method instead of the study's own.
-    """
-
-    def __init__(self, args: argparse.Namespace, method: str | None = None):
-        self.name = args.study
-        self.program = args.program
-        self.size = ["--seeds", str(args.seeds)] if args.seeds else []
-        self.size += ["--frames", str(args.frames)] if args.frames else []
-        self.size += ["--method", method] if method else []
-        # Shortened runs have a folder of their own, so that they never mix with full ones.
-        self.label = (args.study + (f"-f{args.frames}" if args.frames else "")
-                      + (f"+{method}" if method else ""))
-        self.folder = Path(args.results) / self.label
-        self.records = self.folder / "records"
-        self.manifest = self.folder / "MANIFEST"
-        self.plugins: list[str] = []
-        self.trials = self.list_trials(args.plugin)
-        self.options = self.size + (["--serial"] if args.serial else []) + self.plugin_options()
-
-    def list_trials(self, plugins: list[str]) -> list[str]:
-        """Ids of all trials, asked of the program.
-
-        Trials that need no plugin know of none: a new build of one leaves their records valid.
-        """
-        command = [self.program, "trials", self.name, *self.size, *self.plugin_options()]
-        listing = subprocess.run(command, capture_output=True, text=True, check=False)
-        if listing.returncode == 0:
-            return listing.stdout.split()
-        if plugins:
-            self.plugins = plugins
-            return self.list_trials([])
-        sys.stderr.write(listing.stderr)  # the program has said why
-        sys.exit(listing.returncode)
-
-    def plugin_options(self) -> list[str]:
-        return [word for file in self.plugins for word in ("--plugin", file)]
-
-    def methods(self) -> set[str]:
-        """Names of the methods and variants, from ids SCENARIO.METHOD. ..."""
-        return {trial.split(".")[1] for trial in self.trials}
-
-    def good_records(self) -> set[str]:
-        """Ids of the trials in `records/` that ended well.
-
-        grep stops at the first match, and `status` stands at the top of a record: 10,000 records of
-        any length take a fraction of a second.
-        """
-        names = (entry.name for entry in os.scandir(self.records) if entry.name.endswith(".json"))
-        found = subprocess.run(
-            ["xargs", "-0", "--no-run-if-empty", "grep", "-l", "-m1", '"status": *"ok"', "--"],
-            input="\0".join(names), cwd=self.records, stdout=subprocess.PIPE, text=True, check=False)
-        return {name.removesuffix(".json") for name in found.stdout.splitlines()}
-
-    def remove_unfinished(self) -> None:
-        """Delete what a killed run left half-written; a finished record ends in `.json`."""
-        for file in self.records.iterdir():
-            if file.suffix != ".json":
-                file.unlink()
-
-    def key(self) -> str:
-        """Hash of all that decides the results: program, plugins, study, scenarios it names."""
-        root = HERE.parent
-        files = [Path(self.program), *map(Path, self.plugins)]
-        study = HERE / "studies" / f"{self.name}.toml"
-        if study.exists():
-            words = set(re.findall(r"\w+", study.read_text(encoding="utf-8")))
-            scenarios = sorted((root / "datasets" / "scenarios").glob("*.toml"))
-            files += [study] + [file for file in scenarios if file.stem in words]
-        digest = hashlib.sha256()
-        for file in files:
-            digest.update(hashlib.sha256(file.read_bytes()).digest())
-        return digest.hexdigest()
-
-    def made_by(self) -> dict[str, str]:
-        """Content of MANIFEST; empty if there is none."""
-        if not self.manifest.exists():
-            return {}
-        return dict(line.split(" ", 1) for line in self.manifest.read_text().splitlines())
-
-    def write_manifest(self, key: str) -> None:
-        git = subprocess.run(["git", "-C", HERE, "describe", "--always", "--dirty"],
-                             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
-        self.manifest.write_text(f"key {key}\ncommit {git.stdout.strip() or 'unknown'}\n")
-
-    def command(self, trial: str) -> str:
-        """The command line that repeats one trial."""
-        return shlex.join([self.program, "trial", self.name, trial, *self.options,
-                           "-o", str(self.records / f"{trial}.json")])
-
-    def error(self, trial: str) -> str:
-        """Why a trial failed, from its record."""
-        try:
-            text = (self.records / f"{trial}.json").read_text(encoding="utf-8")
-        except FileNotFoundError:
-            return "no record"
-        match = re.search(r'"error": *"((?:[^"\\]|\\.)*)"', text)
-        return match.group(1) if match else "the record is broken"
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -154,21 +42,16 @@ def parse_arguments() -> argparse.Namespace:
                         metavar="NAMES", help="methods to run beside those of the study")
     parser.add_argument("--plugin", action="append", default=[], metavar="FILE",
                         help="shared object with more methods; may be repeated")
+    parser.add_argument("--shards", type=positive, help="run over Slurm, as an array of so many tasks")
+    parser.add_argument("--shard-cpus", type=positive, default=1, help="trials at a time in a task")
+    parser.add_argument("--sbatch-flags", type=shlex.split, default=[], metavar="FLAGS",
+                        help="more options of sbatch")
     args = parser.parse_args()
+    if args.serial and args.shards:
+        parser.error("times count only where trials run one after the other: no Slurm")
     if args.serial:
         args.jobs = 1
     return args
-
-
-def lock(study: Study) -> int:
-    """Keep a second run of the same study out; trials inherit the lock, so orphans count too."""
-    handle = os.open(study.folder, os.O_RDONLY)
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        sys.exit(f"study {study.label}: another run is still writing to {study.folder}")
-    os.set_inheritable(handle, True)
-    return handle
 
 
 def check_manifest(study: Study, good: set[str], missing: int) -> None:
@@ -188,67 +71,6 @@ def check_manifest(study: Study, good: set[str], missing: int) -> None:
     print(f"{stale}, using them; FRESH=1 runs them again", file=sys.stderr)
 
 
-def start_make(study: Study, todo: Path, jobs: int, lock_handle: int) -> subprocess.Popen:
-    environment = {name: value for name, value in os.environ.items()
-                   if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
-    return subprocess.Popen(
-        ["make", "-f", str(HERE / "trials.mk"), "--keep-going", f"--jobs={jobs}",
-         f"PROGRAM={study.program}", f"STUDY={study.name}", f"OPTIONS={' '.join(study.options)}",
-         f"RECORDS={study.records}", f"TODO={todo}"],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment, pass_fds=[lock_handle],
-        # A group of its own: the whole tree can be interrupted at once, whoever asked for it.
-        process_group=0)
-
-
-def follow(make: subprocess.Popen, progress: Progress) -> None:
-    """Show progress until Make ends; what Make itself complains of goes to stderr at the end."""
-    complaints = b""
-    with selectors.DefaultSelector() as selector:
-        selector.register(make.stdout, selectors.EVENT_READ)
-        selector.register(make.stderr, selectors.EVENT_READ)
-        while selector.get_map():
-            for ready, _ in selector.select(timeout=Progress.BAR_INTERVAL_S):
-                data = os.read(ready.fd, 65536)
-                if not data:
-                    selector.unregister(ready.fileobj)
-                elif ready.fileobj is make.stderr:
-                    complaints += data
-                else:
-                    # A line is shorter than a pipe's atomic write, so none is ever split.
-                    for line in data.splitlines():
-                        progress.count(failed=line == b"failed")
-            progress.show()
-    progress.finish()
-    make.wait()
-    sys.stderr.write(complaints.decode(errors="replace"))
-
-
-def run(study: Study, todo: list[str], jobs: int, lock_handle: int) -> None:
-    """Run the trials `todo`. @raises Interrupted after everything running has been ended."""
-    for trial in todo:  # failed before: each is tried again
-        (study.records / f"{trial}.json").unlink(missing_ok=True)
-
-    signals = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-
-    def interrupt(*_):
-        for number in signals:
-            signal.signal(number, signal.SIG_IGN)  # once is enough
-        raise Interrupted
-
-    for number in signals:
-        signal.signal(number, interrupt)
-    with tempfile.NamedTemporaryFile("w", suffix=".todo") as listing:
-        listing.write("\n".join(todo))
-        listing.flush()
-        make = start_make(study, Path(listing.name), jobs, lock_handle)
-        try:
-            follow(make, Progress(f"study {study.label}", len(todo)))
-        except Interrupted:
-            os.killpg(make.pid, signal.SIGINT)
-            make.communicate()
-            raise
-
-
 def report(study: Study, trials: list[str]) -> int:
     """Print the outcome; the exit code."""
     good = study.good_records()
@@ -265,26 +87,28 @@ def report(study: Study, trials: list[str]) -> int:
     return 1 if failed else 0
 
 
-def complete(study: Study, jobs: int, fresh: bool) -> int:
+def complete(study: Study, args: argparse.Namespace, fresh: bool) -> int:
     """Run what is missing of one study; the exit code."""
-    study.folder.mkdir(parents=True, exist_ok=True)
-    lock_handle = lock(study)
-    if fresh:
-        study.manifest.unlink(missing_ok=True)
-        shutil.rmtree(study.records, ignore_errors=True)
-    study.records.mkdir(exist_ok=True)
-    study.remove_unfinished()
+    lock_handle = study.lock()
+    slurm_run.refuse_running_job(study)
+    study.prepare(fresh)
     good = study.good_records()
     todo = [trial for trial in study.trials if trial not in good]
     check_manifest(study, good, len(todo))
-    if todo:
-        print(f"study {study.label}: {len(study.trials)} trials, {len(todo)} to run, {jobs} at a time",
-              file=sys.stderr)
-        try:
-            run(study, todo, jobs, lock_handle)
-        except Interrupted:
-            print(f"\nstudy {study.label}: stopped; the same command continues it", file=sys.stderr)
-            return INTERRUPTED
+    if not todo:
+        return report(study, study.trials)
+    study.remove_records(todo)  # failed before: each is tried again
+    where = f"in {args.shards} shards over Slurm" if args.shards else f"{args.jobs} at a time"
+    print(f"study {study.label}: {len(study.trials)} trials, {len(todo)} to run, {where}", file=sys.stderr)
+    try:
+        interruption.raise_when_interrupted()
+        if args.shards:
+            slurm_run.run(study, todo, slurm_run.Request(args.shards, args.shard_cpus, args.sbatch_flags))
+        else:
+            local_run.run(study, todo, args.jobs, lock_handle)
+    except interruption.Interrupted:
+        print(f"\nstudy {study.label}: stopped; the same command continues it", file=sys.stderr)
+        return interruption.EXIT_CODE
     return report(study, study.trials)
 
 
@@ -296,8 +120,8 @@ def main() -> int:
     for study in studies:
         # Beside other methods, what is not stale is what they are held against.
         fresh = args.fresh and (not args.methods or study.made_by().get("key") != study.key())
-        code = max(code, complete(study, args.jobs, fresh))
-        if code == INTERRUPTED:
+        code = max(code, complete(study, args, fresh))
+        if code == interruption.EXIT_CODE:
             break
     return code
 

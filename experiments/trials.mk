@@ -2,7 +2,8 @@
 #   PROGRAM  the `ldm` program           STUDY    name of the study     OPTIONS  options of `ldm trial`
 #   RECORDS  folder of the records       TODO     file, one trial id a line
 # A record that exists is not made again. A trial that fails still makes its target, a record that says
-# so: the rule succeeds, and run_study.py counts. Prints one line per finished trial.
+# so: the rule succeeds, and run_study.py counts. Prints one line per finished trial. A trial that was asked to
+# end (SIGHUP, SIGINT, SIGTERM: a job cancelled or out of time) has not failed: it makes no record.
 
 here := $(dir $(lastword $(MAKEFILE_LIST)))
 # /bin/sh starts in a third of bash's time, which counts when trials are short.
@@ -22,6 +23,7 @@ trials: $(records)
 $(records): $(RECORDS)/%.json:
 	@{ output=$$($(trial) 2>&1); code=$$?; } 2>/dev/null; \
 	if [ $$code = 0 ] && [ -s $@ ]; then echo good; exit; fi; \
+	case $$code in 129|130|143) exit 1;; esac; \
 	[ -s $@ ] || printf '%s' "$$output" | /usr/bin/python3 $(here)crash_record.py $@ \
 	  --exit-code $$code --study $(STUDY) --id $* --command '$(trial)' || exit 1; \
 	echo failed

@@ -59,8 +59,9 @@ class Particles {
   /// Weights and births per voxel. If no particle is left in the map, N_init are drawn anew over
   /// the window first. Cost: one pass over the map.
   void weigh(const RingBuffer<float>& log_odds);
-  /// Back to N_init particles, sorted by slot, in proportion to weight: systematic resampling
-  /// (Kitagawa, 1996). Cost: one pass.
+  /// Back to N_init particles, sorted by slot, in proportion to weight. Cost: one pass.
+  /// Deviation: the paper draws each particle on its own; systematic resampling (Kitagawa, 1996)
+  /// has the same expectation with less noise.
   void resample(const RingIndex& index);
 
   /// w_k = w_{k-1} + P(Occ) with w_{k-1} = 1 / N_init, in units of 2^-24.  Eq. (11)

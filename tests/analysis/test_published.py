@@ -18,7 +18,7 @@ def test_accuracy_follows_from_the_false_voxels(scenario, method):
 
 
 def test_every_value_says_where_it_stands():
-    for table in ("table1", "velocity", "outdoor"):
+    for table in ("table1", "velocity", "causes", "outdoor"):
         for entry in published()[table].values():
             assert entry["place"].startswith(("Table", "Sec."))
     assert published()["computation_time"]["place"] == "Sec. 4.1.2"

@@ -5,7 +5,14 @@ import math
 import numpy as np
 import pytest
 
-from analysis.statistics import compare_pairs, holm, mean_interval, seeds_needed, signed_rank_p
+from analysis.statistics import (
+    compare_pairs,
+    holm,
+    interval_of_one_more,
+    mean_interval,
+    seeds_needed,
+    signed_rank_p,
+)
 
 
 def test_interval_of_many_normal_values_is_the_normal_one():
@@ -90,3 +97,9 @@ def test_seeds_needed_by_hand():
     assert seeds_needed(2.0, 1.0) == 33
     assert seeds_needed(0.0, 1.0) == 6
     assert seeds_needed(math.nan, 1.0) is None
+
+
+def test_one_more_value_of_a_normal_sample():
+    # By hand: mean 2, sd 1, t(0.975, 2) = 4.303, reach 4.303 * sqrt(4 / 3) = 4.968.
+    assert interval_of_one_more([1.0, 2.0, 3.0]) == pytest.approx((-2.968, 6.968), abs=1e-3)
+    assert interval_of_one_more([1.0]) == (-np.inf, np.inf)

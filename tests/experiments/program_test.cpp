@@ -134,7 +134,7 @@ TEST_F(Program, RefusesBadRuns) {
   expect_bad("run ldm scenario1 -o o -c none.toml", "none.toml: cannot be read");
   folder_.write("p.toml", "[map]\nresolution_m = \"fine\"\n");
   expect_bad("run ldm scenario1 -o o -c p.toml", "p.toml:2: map.resolution_m = fine");
-  expect_bad("run ldm none.rawlog -o o", "none.log.toml: cannot be read");
+  expect_bad("run ldm none.rawlog -o o", "none.rawlog: cannot be read");
   expect_bad("run ldm scenario1 -o p.toml/o", "p.toml/o: cannot be made");
   EXPECT_FALSE(exists("o"));
 }

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Stands in for the `ldm` program: COUNT trials named t1, t2, ...; each takes SLEEP seconds. With NAMED set
 # they are named w.old.t1, ..., or w.METHOD.t1, ...; a METHOD needs --plugin.
-# FAIL and CRASH name a trial that fails with a record, and one that dies without.
+# FAIL and CRASH name a trial that fails with a record, and one that dies without; END one that is asked to end.
 set -eu
 case $1 in
   trials)
@@ -29,6 +29,8 @@ case $1 in
     sleep "${SLEEP:-0}"
     if [ "$id" = "${CRASH:-}" ]; then
       kill -SEGV $$
+    elif [ "$id" = "${END:-}" ]; then
+      kill -TERM $$
     elif [ "$id" = "${FAIL:-}" ]; then
       echo '{"schema": 1, "status": "failed", "error": "no path found"}' > "$record"
       exit 1

@@ -1,8 +1,6 @@
-"""`make study` with a stand-in for the program: resuming, failures, interruptions, stale results."""
+"""`make trials`, the first half of `make study`, with a stand-in for the program: resuming, failures, interruptions, stale results."""
 
-import json
 import os
-import shutil
 import signal
 import subprocess
 import time
@@ -10,43 +8,7 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-
-
-class Bench:
-    """A folder with a program and results of its own, and `make study` run upon them."""
-
-    def __init__(self, folder: Path):
-        self.program = folder / "ldm"
-        self.results = folder / "results"
-        self.log = folder / "log"
-        shutil.copy(ROOT / "tests" / "harness" / "fake_program.sh", self.program)
-
-    def start(self, *variables: str, **behaviour: str) -> subprocess.Popen:
-        clean = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS"))}
-        return subprocess.Popen(
-            ["make", "-C", ROOT, "study", "STUDY=fake", f"LDM={self.program}",
-             f"RESULTS={self.results}", "JOBS=2", *variables],
-            env=clean | {"LOG": str(self.log)} | behaviour, stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE, text=True, start_new_session=True)
-
-    def run(self, *variables: str, **behaviour: str) -> subprocess.CompletedProcess:
-        process = self.start(*variables, **behaviour)
-        out, err = process.communicate(timeout=60)
-        return subprocess.CompletedProcess(process.args, process.returncode, out, err)
-
-    def records(self, folder: str = "fake") -> dict[str, dict]:
-        files = (self.results / folder / "records").glob("*.json")
-        return {file.name: json.loads(file.read_text()) for file in files}
-
-    def ran(self) -> list[str]:
-        """Trials started since the last call."""
-        started = self.log.read_text().split() if self.log.exists() else []
-        self.log.unlink(missing_ok=True)
-        return sorted(started)
-
-    def change_program(self) -> None:
-        self.program.write_text(self.program.read_text() + "# another build\n")
+from bench import ROOT, Bench
 
 
 @pytest.fixture
@@ -107,6 +69,23 @@ def test_a_crash_leaves_a_record_with_its_reason_and_command(bench):
     assert record["error"] == "killed by SIGSEGV"
     assert record["id"] == "t3"
     assert record["command"].split()[:4] == [str(bench.program), "trial", "fake", "t3"]
+
+
+def test_a_trial_that_is_asked_to_end_has_not_failed(bench):
+    done = bench.run(END="t3")
+    assert done.returncode != 0
+    assert "FAILED t3: no record" in done.stderr
+    assert bench.run().returncode == 0
+
+
+def test_the_command_of_a_failed_trial_repeats_it(bench):
+    bench.run(CRASH="t3")
+    command = bench.records()["t3.json"]["command"]
+    bench.ran()
+    again = subprocess.run(command, shell=True, cwd=ROOT, check=False,
+                           env=os.environ | {"LOG": str(bench.log), "CRASH": "t3"})
+    assert again.returncode == 128 + signal.SIGSEGV
+    assert bench.ran() == ["t3"]
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -1,0 +1,119 @@
+"""The claims of Sec. 4.1.3 and, as far as the simulation has a counterpart, of Sec. 4.2."""
+
+from __future__ import annotations
+
+from analysis.beside import scenario_name
+from analysis.published import PAPER_NAMES, published
+from analysis.records import Study
+from analysis.report import latex, series_scores
+from analysis.report.claim_rows import (
+    Row,
+    difference_line,
+    open_row,
+    order_row,
+    pair_lines,
+    share_row,
+)
+from analysis.report.comparisons import NO, PARTLY, YES, compare, paired
+from analysis.report.evidence import Evidence
+from analysis.scores import SCORES
+from analysis.statistics import mean_interval
+from analysis.velocity_table import PAIR, PUBLISHED
+
+
+def velocity_rows(evidence: Evidence) -> list[Row]:
+    study = evidence.study("table1")
+    entries = published()["velocity"]
+    rows = [
+        order_row(study, entry["scenario"], score, entry[score.name], entry["place"],
+                   r"Table~\ref{tab:velocity}")
+        for entry in entries.values() for score in PUBLISHED if score.name in entry
+    ]  # fmt: skip
+    static, dynamic = (entries[kind]["scenario"] for kind in ("static", "dynamic"))
+    rows.append(_static_times_row(study, static, entries["static_times"]))
+    rows.append(_convergence_row(study, dynamic, entries["convergence"]))
+    rows.append(_constancy_row(study, dynamic, entries["constancy"]))
+    return rows
+
+
+def _static_times_row(study: Study | None, scenario: str, entry: dict) -> Row:
+    statement = f"{scenario_name(scenario)}: static error smaller than that of [11] with PF"
+    where = r"Figure~\ref{fig:figure6}"
+    if study is None:
+        return open_row(statement, entry["place"], entry["claim"], latex.missing("table1"), where)
+    shares = series_scores.better_share(study, scenario, PAIR)
+    return share_row(statement, entry, shares, "of the frames", where)
+
+
+def _convergence_row(study: Study | None, scenario: str, entry: dict) -> Row:
+    """Similar: the whole interval of the difference is smaller than the least one that matters."""
+    score = SCORES["time_to_converge_s"]
+    statement = f"{scenario_name(scenario)}: {score.label} as that of [11] with PF"
+    where = r"Figure~\ref{fig:figure7}"
+    if study is None:
+        return open_row(statement, entry["place"], entry["claim"], latex.missing("table1"), where)
+    found = compare(study, scenario, score.name, *PAIR)
+    low, high, margin = found.difference.low, found.difference.high, score.smallest_difference
+    within = -margin <= low and high <= margin
+    touches = low <= margin and high >= -margin
+    lines = pair_lines(study, scenario, score, PAIR)
+    lines += (difference_line(found, 2) + f" s, similar within {margin} s",)
+    verdict = YES if within else PARTLY if touches else NO
+    return Row(statement, latex.plain(entry["place"]), entry["claim"], lines, verdict, where,
+               found.p)  # fmt: skip
+
+
+def _constancy_row(study: Study | None, scenario: str, entry: dict) -> Row:
+    statement = (
+        f"{scenario_name(scenario)}: the estimate of a constant velocity fluctuates less than "
+        "that of [11] with PF"
+    )
+    where = r"Figures~\ref{fig:figure7}--\ref{fig:figure9}"
+    if study is None:
+        return open_row(statement, entry["place"], entry["claim"], latex.missing("table1"), where)
+    ours, theirs = (
+        series_scores.score_trials(study, scenario, method, series_scores.fluctuation)
+        for method in PAIR
+    )
+    found = paired(ours, theirs, "lower")
+    lines = tuple(
+        f"{PAPER_NAMES[method]} {latex.interval(mean_interval(values.to_numpy()), 3)} m/s"
+        for method, values in zip(PAIR, (ours, theirs))
+    ) + (difference_line(found, 3),)
+    verdict = YES if found.difference.high < 0 else NO
+    return Row(statement, latex.plain(entry["place"]), entry["claim"], lines, verdict, where,
+               found.p)  # fmt: skip
+
+
+def outdoor_rows(evidence: Evidence) -> list[Row]:
+    """No recording of the flight exists: the simulated counterpart, where there is one."""
+    entries = published()["outdoor"]
+    study = evidence.study("table1")
+    bound = entries["static"]["largest_error_mps"]
+    static = "Outdoor: error of a static obstacle in every direction; ours in scenario 2"
+    direction = "Outdoor: direction of the estimated velocity; ours in scenario 1"
+    occlusion = open_row(
+        "Outdoor: an occluded person keeps its cluster", entries["occlusion"]["place"],
+        entries["occlusion"]["claim"], "the flight is not published; the scores of the simulation "
+        "hold no identity of clusters", r"Section~\ref{sec:limits}",
+    )  # fmt: skip
+    where = r"Section~\ref{sec:velocity}"
+    if study is None:
+        return [
+            open_row(static, entries["static"]["place"], f"up to {bound} m/s",
+                      latex.missing("table1"), where),
+            occlusion,
+            open_row(direction, entries["direction"]["place"], "right",
+                      latex.missing("table1"), where),
+        ]  # fmt: skip
+    rows = []
+    for statement, entry, scenario, score, what in (
+        (static, entries["static"] | {"claim": f"up to {bound} m/s"}, "scenario2",
+         series_scores.static_share, f"of the frames within {bound} m/s"),
+        (direction, entries["direction"] | {"claim": "right"}, "scenario1",
+         series_scores.direction_share,
+         f"of the frames within {series_scores.RIGHT_WITHIN_DEG} degrees"),
+    ):  # fmt: skip
+        shares = series_scores.score_trials(study, scenario, "ldm", score)
+        rows.append(share_row(statement, entry, shares, what, where))
+    return [rows[0], occlusion, rows[1]]

@@ -1,0 +1,19 @@
+#pragma once
+/// What a picture shows of a local map (in the manner of Figures 12 and 13 of the paper).
+#include <string>
+
+#include "datasets/frame.h"
+#include "datasets/picture.h"
+
+namespace experiments {
+
+/// Number of colours of clusters.
+extern const std::size_t kClusterColours;
+
+/// @param colours of the clusters, each below kClusterColours; empty: the method finds no clusters,
+///   and its occupied voxels are grey
+/// @param heading first line
+datasets::Picture picture_of(const datasets::Frame& frame, const ldm::LocalMap& map,
+                             const std::vector<std::size_t>& colours, const std::string& heading);
+
+}  // namespace experiments

@@ -1,0 +1,138 @@
+"""Trials on the nodes of a Slurm cluster: an array job whose tasks run Make, each on its shard.
+
+The records go straight to the study's folder, which all nodes must share. A task whose node is lost
+is queued again (--requeue), and its Make finds what is finished already.
+"""
+
+import dataclasses
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from interruption import Interrupted
+from local_run import make_command, make_environment
+from progress import Progress
+from study_folder import Study
+
+POLL_S = 2.0  # of the records
+QUEUE_POLL_S = 10.0  # of the queue: its controller serves others, too
+CANCEL_S = 60.0  # twice Slurm's usual KillWait
+
+
+@dataclasses.dataclass(frozen=True)
+class Request:
+    """What to ask of Slurm."""
+
+    shards: int
+    cpus: int  # of a shard, and so trials at a time
+    flags: list[str]  # more options of sbatch
+
+
+def refuse_running_job(study: Study) -> None:
+    """Stop if the array of an earlier run, killed before it could cancel it, is still queued."""
+    job = job_file(study)
+    if not job.exists():
+        return
+    number = job.read_text(encoding="utf-8").strip()
+    if shutil.which("squeue") is None:
+        sys.exit(f"study {study.label}: Slurm's job {number} may still write to {study.folder}; where "
+                 f"squeue knows of it no more, delete {job}")
+    if is_queued(number):
+        sys.exit(f"study {study.label}: Slurm's job {number} is still writing to {study.folder}; "
+                 f"'scancel {number}' ends it")
+    job.unlink()
+
+
+def run(study: Study, todo: list[str], request: Request) -> None:
+    """Run the trials `todo`. @raises Interrupted after the job has been cancelled."""
+    write_shards(study, todo, request.shards)
+    number = submit(study, min(request.shards, len(todo)), request)
+    job_file(study).write_text(number + "\n", encoding="utf-8")
+    try:
+        follow(study, todo, number)
+    except Interrupted:
+        cancel(number)
+        raise
+    finally:
+        if not is_queued(number):
+            job_file(study).unlink()
+
+
+def job_file(study: Study) -> Path:
+    return study.folder / "slurm" / "job"
+
+
+def write_shards(study: Study, todo: list[str], shards: int) -> None:
+    """`slurm/shard-K.todo`: neighbours in the list, alike in cost, go to different shards."""
+    folder = study.folder / "slurm"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for shard in range(min(shards, len(todo))):
+        (folder / f"shard-{shard + 1}.todo").write_text("\n".join(todo[shard::shards]), encoding="utf-8")
+
+
+def submit(study: Study, shards: int, request: Request) -> str:
+    """Number of the array job."""
+    folder = study.folder / "slurm"
+    make = shlex.join(make_command(study, f"{folder}/shard-", request.cpus))
+    sbatch = ["sbatch", "--parsable", "--requeue", f"--job-name=study-{study.label}",
+              f"--array=1-{shards}", f"--cpus-per-task={request.cpus}", "--ntasks=1",
+              f"--output={folder}/shard-%a.log", "--open-mode=append", *request.flags,
+              "--wrap", f'exec {make}"$SLURM_ARRAY_TASK_ID".todo']
+    try:
+        done = subprocess.run(sbatch, env=make_environment(), capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        sys.exit(f"study {study.label}: sbatch is not installed here: SLURM=1 needs a machine that submits "
+                 "to Slurm; without it the trials run on this one")
+    if done.returncode != 0:
+        sys.exit(f"study {study.label}: sbatch: {done.stderr.strip()}")
+    return done.stdout.strip().partition(";")[0]
+
+
+def is_queued(number: str) -> bool:
+    """Whether a task of the job waits, runs or ends; True, too, while the controller is silent."""
+    queue = subprocess.run(["squeue", "--noheader", "--jobs", number, "--format=%t"],
+                           capture_output=True, text=True, check=False)
+    if queue.returncode != 0:
+        return "Invalid job id" not in queue.stderr  # so it calls one it has forgotten
+    return bool(queue.stdout.split())
+
+
+def cancel(number: str) -> None:
+    """End the job and wait for it, as long as Slurm lets its tasks live."""
+    subprocess.run(["scancel", number], check=False)
+    deadline = time.monotonic() + CANCEL_S
+    while is_queued(number) and time.monotonic() < deadline:
+        time.sleep(POLL_S)
+
+
+def follow(study: Study, todo: list[str], number: str) -> None:
+    """Show progress until the job has left the queue."""
+    print(f"study {study.label}: Slurm's job {number}, logs in {study.folder / 'slurm'}", file=sys.stderr)
+    progress = Progress(f"study {study.label}", len(todo))
+    missing = set(todo)
+    asked = time.monotonic()
+    while True:
+        time.sleep(POLL_S)
+        count_finished(study, missing, progress)
+        progress.show()
+        # When all is there, the last tasks are about to leave.
+        if not missing or time.monotonic() - asked > QUEUE_POLL_S:
+            asked = time.monotonic()
+            if not is_queued(number):
+                break
+    count_finished(study, missing, progress)
+    progress.finish()
+
+
+def count_finished(study: Study, missing: set[str], progress: Progress) -> None:
+    """Take from `missing` what has a record now."""
+    found = {name.removesuffix(".json") for name in os.listdir(study.records)} & missing
+    missing -= found
+    for trial in found:
+        with open(study.records / f"{trial}.json", encoding="utf-8") as file:
+            progress.count(failed='"failed"' in file.read(100))
