@@ -30,7 +30,7 @@ cxx_sources = git ls-files --cached --others --exclude-standard '*.h' '*.cpp'
 help: ## list the targets
 	@echo "Usage: make TARGET [VARIABLE=value ...]"; echo; \
 	sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r target text; do \
-	  printf '  %-12s %s\n' "$$target" "$$text"; done; \
+	  printf '  %-14s %s\n' "$$target" "$$text"; done; \
 	echo; sed -n 's/^#: //p' $(MAKEFILE_LIST)
 #: Variables
 #:   STUDY=name     which study             SEEDS=n   replicates, instead of the study's number

@@ -4,7 +4,7 @@ Reads   DIR/STUDY/records/*.json, DIR/worlds/, and what `make equations` prints
 Writes  OUTPUT/*.tex, OUTPUT/figures/, and OUTPUT/sources.json: what the rest was made from
 Prints  which studies are missing, and the command that makes each
 
-Example: /usr/bin/python3 -m analysis.report --results results --equations FILE --output paper/generated
+Example: /usr/bin/python3 -m analysis.report --results results --equations FILE --output DIR
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from analysis.records import Study
 from analysis.report import latex
 from analysis.report.claims import ledger, ledger_table
 from analysis.report.equations import index_table, read_index
-from analysis.report.evidence import Evidence, command
+from analysis.report.evidence import SWEEPS, Evidence, command
 from analysis.report.figures import write_figures
 from analysis.report.numbers import definitions, numbers
 from analysis.report.open_points import points_table
@@ -96,7 +96,7 @@ def _captions(evidence: Evidence) -> dict[str, str]:
                         ("table1", "ablation", "obstacle_speed")),
         "time": ("Computation time of one update", ("timing",)),
         "sweeps": ("Ends of each sweep: LDM at the last point $-$ LDM at the first, paired by seed",
-                   ()),
+                   SWEEPS),
     }  # fmt: skip
     found = {name: f"{text}. {_sources(evidence, names)}" for name, (text, names) in texts.items()}
     return found | {"equations": "Where each equation is declared, and the test that holds it to a "

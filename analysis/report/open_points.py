@@ -68,7 +68,9 @@ def show(value: object) -> str:
 
 def settled_text(point: dict, parameters: dict[str, object]) -> str:
     """The decision as LaTeX, with the values of the records; parameters: of any record."""
-    filled = re.sub(r"\{([\w.]+)\}", lambda m: show(parameters.get(m.group(1), "?")), point["settled"])
+    filled = re.sub(
+        r"\{([\w.]+)\}", lambda name: show(parameters.get(name.group(1), "?")), point["settled"]
+    )
     return latex.plain(filled)
 
 
@@ -98,15 +100,16 @@ def points_table(
     width = 2 + sum(len(scenarios) for _, scenarios in EFFECTS)
     rows = []
     for number, point in enumerate(open_points(), start=1):
-        text = rf"\textbf{{{number}. {latex.plain(point['question'])}}} ({latex.plain(point['place'])}). "
-        text += settled_text(point, defaults) + "."
+        question, place = latex.plain(point["question"]), latex.plain(point["place"])
+        text = rf"\textbf{{{number}. {question}}} ({place}). {settled_text(point, defaults)}."
         rows.append(rf"\multicolumn{{{width}}}{{@{{}}p{{\linewidth}}@{{}}}}{{{text}}} \\*[2pt]")
         own = of_point(point, found)
         for a in own:
             label = rf"\multicolumn{{{width}}}{{@{{\quad}}l}}{{{a.label}}} \\*"
             rows += [label, " & ".join(["", *effect_cells(a), changed_orders(a)]) + r" \\[2pt]"]
         if not own:
-            reason = latex.missing("ablation") if point["parameters"] else "no parameter: not measured"
+            measurable = bool(point["parameters"])
+            reason = latex.missing("ablation") if measurable else "no parameter: not measured"
             rows.append(rf"\multicolumn{{{width}}}{{@{{\quad}}l}}{{{reason}}} \\")
         rows.append(r"\addlinespace[5pt]")
     return latex.longtable(_COLUMNS, _head(), rows, caption, "tab:open-points")

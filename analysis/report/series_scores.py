@@ -72,7 +72,7 @@ def score_trials(study: Study, scenario: str, method: str, score: TrialScore) ->
 
 
 def better_share(study: Study, scenario: str, pair: tuple[str, str]) -> pd.Series:
-    """Replicate -> share of the frames of static objects in which the first method errs less [%]."""
+    """Replicate -> share of the frames of static objects in which the first errs less [%]."""
     files = {m: study.trials[(study.trials["scenario"] == scenario)
                              & (study.trials["method"] == m)].set_index("replicate")["file"]
              for m in pair}  # fmt: skip
