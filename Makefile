@@ -199,6 +199,15 @@ tables: setup ## Table 1 and the velocity errors, from the results that exist
 figures: program ## Figures 5 to 9, from the results that exist
 	@$(draw_figures)
 
+# One frame for all: the first from 20 s on in whose map scenario3 has a moving and a standing obstacle.
+.PHONY: gallery
+gallery: program ## a picture of each scenario by ldm and circular_buffer, without a display: results/gallery/
+	@mkdir -p $(RESULTS)/gallery; \
+	for scenario in scenario1 scenario2 scenario3; do for method in ldm circular_buffer; do \
+	  picture=$(RESULTS)/gallery/$${scenario}_$$method.png; \
+	  $(LDM) render $$method $$scenario --seed 1 --frame 200 -o $$picture; echo "$$picture"; \
+	done; done
+
 # --- Report ----------------------------------------------------------------------------------------
 
 include paper/paper.mk

@@ -1,9 +1,10 @@
 #include "datasets/picture.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <numbers>
 
+#include "datasets/label_placer.h"
 #include "datasets/picture_axes.h"
 #include "datasets/picture_canvas.h"
 
@@ -28,50 +29,12 @@ void draw_uav(const ldm::Pose& T_world_uav, double scale, PictureCanvas& canvas)
   }
 }
 
-Eigen::AlignedBox2d around(const Vector2d& centre, const Vector2d& size) {
-  return {centre - size / 2, centre + size / 2};
-}
-
-/// Finds places for labels beside what they name, as free of other labels and drawings as can be.
-/// Boxes are in pixels, y down.
-class LabelPlacer {
- public:
-  void keep_clear(const Eigen::AlignedBox2d& box) { taken_.push_back(box); }
-
-  Eigen::AlignedBox2d place(const Vector2d& size, const Eigen::AlignedBox2d& named) {
-    const Vector2d reach = (size + named.sizes()) / 2 + Vector2d::Constant(9);
-    Eigen::AlignedBox2d best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vector2d& side :
-         {Vector2d(0, -1), Vector2d(0, 1), Vector2d(1, 0), Vector2d(-1, 0)}) {
-      const Eigen::AlignedBox2d box = around(named.center() + side.cwiseProduct(reach), size);
-      if (const double covered = covered_area(box); covered < least) {
-        least = covered;
-        best = box;
-      }
-    }
-    taken_.push_back(best);
-    return best;
-  }
-
- private:
-  double covered_area(const Eigen::AlignedBox2d& box) const {
-    double sum = 0;
-    for (const Eigen::AlignedBox2d& other : taken_) {
-      if (box.intersects(other)) sum += box.intersection(other).volume();
-    }
-    return sum;
-  }
-
-  std::vector<Eigen::AlignedBox2d> taken_;
-};
-
 class Drawing {
  public:
   Drawing(const Picture& picture, PictureCanvas& canvas)
       : picture_(picture),
         canvas_(canvas),
-        scale_(std::max(1.0, picture.border.sizes().maxCoeff() / 5)) {}
+        scale_(std::sqrt(std::max(1.0, picture.border.sizes().maxCoeff() / 5))) {}
 
   void draw() {
     draw_axes(picture_.border, canvas_);
@@ -102,7 +65,8 @@ class Drawing {
 
   void draw_arrows() {
     LabelPlacer placer;
-    placer.keep_clear(around(canvas_.camera().pixel(picture_.T_world_uav.translation), {80, 50}));
+    const Vector2d uav = canvas_.camera().pixel(picture_.T_world_uav.translation);
+    placer.keep_clear({uav - Vector2d(40, 25), uav + Vector2d(40, 25)});
     for (const Picture::Arrow& arrow : picture_.arrows) {
       canvas_.arrow(arrow.from.cast<double>(), arrow.to.cast<double>(), 0.075 * scale_, kArrow);
       placer.keep_clear(on_image(arrow));
@@ -168,7 +132,7 @@ class Drawing {
 
 PictureCamera camera_of(const Picture& picture) {
   constexpr double kDegree = std::numbers::pi / 180;
-  const PixelBox within{.left = 430, .right = 1270, .top = 12, .bottom = 658};  // beside the legend
+  const PixelBox within{.left = 430, .right = 1240, .top = 12, .bottom = 658};  // beside the legend
   return {picture.border, within, -60 * kDegree, 25 * kDegree, 2000};
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 namespace datasets {
@@ -76,6 +77,16 @@ void for_each_edge(const Eigen::AlignedBox3d& box, Draw&& draw) {
     for (const int axis : {1, 2, 4}) {
       if (!(i & axis)) draw(corner(i), corner(i | axis));
     }
+  }
+}
+
+std::unique_ptr<mrpt::opengl::CFBORender> make_renderer() {
+  try {
+    return std::make_unique<mrpt::opengl::CFBORender>(kFine * Picture::kWidth,
+                                                      kFine * Picture::kHeight);
+  } catch (const std::exception&) {  // MRPT's words are for its own authors
+    throw std::runtime_error(
+        "cannot draw: EGL offers no device; Debian's libegl1 and libgl1-mesa-dri have one");
   }
 }
 
@@ -166,10 +177,10 @@ class PictureCanvas::Scene {
  private:
   CImage render(const PictureCamera& camera) {
     // MRPT draws with the first renderer of a process only.
-    static mrpt::opengl::CFBORender renderer(kFine * Picture::kWidth, kFine * Picture::kHeight);
-    renderer.setCamera(scene_, mrpt_camera(camera));
+    static const std::unique_ptr<mrpt::opengl::CFBORender> renderer = make_renderer();
+    renderer->setCamera(scene_, mrpt_camera(camera));
     CImage image;
-    renderer.render_RGB(scene_, image);
+    renderer->render_RGB(scene_, image);
     return image;
   }
 

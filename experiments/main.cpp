@@ -141,7 +141,7 @@ class CommandLine {
 
   void add_render() {
     CLI::App* command = add("render", "draw what a method knows after a frame",
-                            "ldm render ldm scenario3 --frame 211 -o map.png", [this] {
+                            "ldm render ldm scenario3 --frame 200 -o map.png", [this] {
                               experiments::render(render_, folders());
                               return kGood;
                             });
@@ -149,7 +149,7 @@ class CommandLine {
     command->add_option("-o,--output", render_.output, "FILE.png")->required();
     command->add_option("--frame", render_.frame, "number of the frame, from 0")
         ->required()
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, 1000000000));
   }
 
   static void add_method_and_input(CLI::App* command, experiments::MethodOnInput& request) {

@@ -67,7 +67,10 @@ void add_words(const datasets::Frame& frame, const ldm::LocalMap& map, Picture& 
                                      [](const ldm::Cluster& c) { return c.dynamic; });
   picture.heading.push_back(formatted("%zu clusters, %td dynamic", map.clusters.size(), dynamic));
   picture.cube_keys = {{{kPalette[0], kPalette[1], kPalette[2]}, "occupied voxels, by cluster"}};
-  picture.arrow_key = "velocity: path of 1 s";
+  const bool any_grey = std::any_of(picture.cubes.begin(), picture.cubes.end(),
+                                    [](const auto& cube) { return cube.colour == kNoCluster; });
+  if (any_grey) picture.cube_keys.push_back({{kNoCluster}, "occupied, in no cluster"});
+  picture.arrow_key = "velocity: motion in 1 s";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method
 std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
                                                   const DataFolders& folders,
                                                   std::optional<std::int64_t> frames) {
-  if (!request.input.ends_with(".rawlog")) {
+  if (!request.is_log()) {
     const datasets::Scenario scenario =
         datasets::read_scenario(folders.scenarios.file(request.input));
     return std::make_unique<datasets::Simulation>(scenario, request.seed.value_or(1), frames);

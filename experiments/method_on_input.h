@@ -20,6 +20,8 @@ struct MethodOnInput {
   std::optional<std::filesystem::path> config;  ///< parameter file
   std::vector<std::string> settings;            ///< name=value, stronger than the file
   std::optional<std::uint64_t> seed;            ///< of the scenario's world (default 1)
+
+  bool is_log() const { return input.ends_with(".rawlog"); }
 };
 
 /// The method's defaults, file and settings applied. Threads: all cores, unless set.

@@ -16,7 +16,7 @@ namespace {
 std::string heading(const RenderRequest& request) {
   std::string text = request.method + ", ";
   text += std::filesystem::path(request.input).stem().string();
-  if (request.seed) text += ", seed " + std::to_string(*request.seed);
+  if (!request.is_log()) text += ", seed " + std::to_string(request.seed.value_or(1));
   return text;
 }
 

@@ -127,6 +127,9 @@ def follow(study: Study, todo: list[str], number: str) -> None:
                 break
     count_finished(study, missing, progress)
     progress.finish()
+    if missing:
+        print(f"study {study.label}: {len(missing)} trials left no record; out of time? The logs in "
+              f"{study.folder / 'slurm'} and `sacct --jobs={number}` tell", file=sys.stderr)
 
 
 def count_finished(study: Study, missing: set[str], progress: Progress) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from analysis.command_line import run
 
-SCRIPTS = ["table1", "velocity_figures", "computation_time", "sweep_figure", "compare"]
+SCRIPTS = ["table1", "velocity", "velocity_figures", "computation_time", "sweep_figure", "compare"]
 ROOT = Path(__file__).resolve().parents[2]
 
 

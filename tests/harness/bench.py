@@ -18,12 +18,16 @@ class Bench:
         self.log = folder / "log"
         shutil.copy(ROOT / "tests" / "harness" / "fake_program.sh", self.program)
 
-    def start(self, *variables: str, **behaviour: str) -> subprocess.Popen:
+    def environment(self, **behaviour: str) -> dict[str, str]:
+        """Without an outer Make's; `behaviour` is of the program: see fake_program.sh."""
         clean = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS"))}
+        return clean | {"LOG": str(self.log)} | behaviour
+
+    def start(self, *variables: str, **behaviour: str) -> subprocess.Popen:
         return subprocess.Popen(
             ["make", "-C", ROOT, "trials", "STUDY=fake", f"LDM={self.program}",
              f"RESULTS={self.results}", "JOBS=2", *variables],
-            env=clean | {"LOG": str(self.log)} | behaviour, stdout=subprocess.PIPE,
+            env=self.environment(**behaviour), stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, text=True, start_new_session=True)
 
     def run(self, *variables: str, **behaviour: str) -> subprocess.CompletedProcess:

@@ -75,6 +75,13 @@ def test_failures_are_listed_and_tried_again(bench):
     assert bench.ran() == ["t2", "t5"]
 
 
+def test_trials_that_left_no_record_are_missed(bench):
+    done = bench.submit(END="t3")
+    assert done.returncode != 0
+    assert "1 trials left no record; out of time?" in done.stderr
+    assert "FAILED t3: no record" in done.stderr
+
+
 def test_without_sbatch_one_line_says_so(bench):
     # Of this machine's commands only those needed: it may have a Slurm itself.
     path = bench.state / "few"
