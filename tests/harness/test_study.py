@@ -1,4 +1,4 @@
-"""`make trials`, the first half of `make study`, with a stand-in for the program: resuming, failures, interruptions, stale results."""
+"""`make trials`, the first half of `make study`: resuming, failures, interruptions, stale results."""
 
 import os
 import signal

@@ -1,6 +1,6 @@
 """What a study of 10,000 trials costs beside its trials: listing, running, analysing.
 
-`make test-scale` prints the times and fails if one is above its limit (docs/studies.md). About a minute.
+`make test-scale` prints the times and fails if one is above its limit (docs/studies.md). Half a minute.
 """
 
 import argparse
