@@ -3,16 +3,18 @@
 # Given by -D: SOURCE_DIR, TEMPLATE, HEADER, VERSION, COMPILER, FLAGS, BUILD_TYPE.
 function(git result)
   execute_process(COMMAND git -C "${SOURCE_DIR}" ${ARGN} OUTPUT_VARIABLE output ERROR_QUIET
-    OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE status)
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(${result} "${output}" PARENT_SCOPE)
-  set(${result}_STATUS "${status}" PARENT_SCOPE)
 endfunction()
 
-git(COMMIT rev-parse --verify HEAD)
-if(NOT COMMIT_STATUS STREQUAL "0")
+# Only what makes the program counts: a commit to a document or to the analysis leaves it, and
+# with it the results of a study half done, as they are.
+set(program -- CMakeLists.txt ldm baselines datasets experiments ":(exclude)*.py" ":(exclude)*.md")
+git(COMMIT log -1 --format=%H ${program})
+if(NOT COMMIT)
   set(COMMIT unknown)
 endif()
-git(CHANGES status --porcelain)
+git(CHANGES status --porcelain ${program})
 if(CHANGES)
   set(DIRTY true)
 else()

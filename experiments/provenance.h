@@ -6,8 +6,8 @@ namespace experiments {
 
 struct Provenance {
   std::string version;     ///< of the project
-  std::string commit;      ///< of the source tree at build time; "unknown" outside of git
-  bool dirty = false;      ///< the tree differed from the commit
+  std::string commit;      ///< the last that changed the program; "unknown" outside of git
+  bool dirty = false;      ///< its sources differed from that commit
   std::string binary;      ///< build id of the running program: hash of its contents, in hex
   std::string compiler;    ///< name and version
   std::string flags;       ///< of the compiler
