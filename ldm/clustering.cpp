@@ -29,6 +29,19 @@ void Clustering::add_run(int x_begin, int x_end, int y, int z) {
                    static_cast<std::int16_t>(y), static_cast<std::int16_t>(z), 0});
 }
 
+/// The first occupied voxel from i on, or n. It goes by whole stretches, which become vectors.
+int Clustering::next_occupied(const float* l, int i, int n) const {
+  constexpr int kStretch = 16;
+  const auto is_empty = [&](int first) {
+    int any = 0;
+    for (int k = first; k < first + kStretch; ++k) any |= static_cast<int>(l[k] > threshold_);
+    return any == 0;
+  };
+  while (i + kStretch <= n && is_empty(i)) i += kStretch;
+  while (i < n && !(l[i] > threshold_)) ++i;
+  return i;
+}
+
 void Clustering::find_runs(const RingBuffer<float>& log_odds) {
   const float* const cells = log_odds.cells().data();
   runs_.clear();
@@ -38,11 +51,11 @@ void Clustering::find_runs(const RingBuffer<float>& log_odds) {
       first_run_of_row_.push_back(static_cast<std::int32_t>(runs_.size()));
       for (const RowPiece& piece : row_pieces(log_odds.index(), 0, size_.x(), y, z)) {
         const float* const l = cells + piece.slot;
-        for (int i = 0; i < piece.length; ++i) {
-          if (!(l[i] > threshold_)) continue;
+        for (int i = next_occupied(l, 0, piece.length); i < piece.length;) {
           const int begin = i;
           while (i < piece.length && l[i] > threshold_) ++i;
           add_run(piece.x + begin, piece.x + i, y, z);
+          i = next_occupied(l, i, piece.length);
         }
       }
     }

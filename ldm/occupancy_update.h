@@ -1,5 +1,6 @@
 #pragma once
 /// Occupancy update: measurement and survival: paper Sec. 3.3.2, Eq. (8)-(10).
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -31,7 +32,7 @@ class OccupancyUpdate {
              RingBuffer<float>& log_odds) const;
 
   /// l_k = l_{k-1} + l(z), within the clamps.  Eq. (8)
-  float measured(float l, float l_z) const;
+  float measured(float l, float l_z) const { return std::clamp(l + l_z, min_, max_); }
   /// l_k = l_{k-1} P_s; 0 once nothing is left, as denormal numbers slow every frame.  Eq. (10)
   static float survived(float l, float p_s) {
     const float rest = l * p_s;
@@ -41,6 +42,10 @@ class OccupancyUpdate {
   float survival(std::uint8_t flag) const { return factor_[flag]; }
 
  private:
+  void apply_to_row(int n, const std::uint8_t* flags, const std::uint8_t* kept, float* l) const;
+  void apply_to_each(int begin, int end, const std::uint8_t* flags, const std::uint8_t* kept,
+                     float* l) const;
+
   float min_;
   float max_;
   std::array<float, 256> factor_;  // by flag: P_s; 1 for a measured voxel

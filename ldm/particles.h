@@ -14,36 +14,11 @@
 
 #include "ldm/parallel.h"
 #include "ldm/parameters.h"
-#include "ldm/random.h"
+#include "ldm/particle.h"
+#include "ldm/particle_motion.h"
 #include "ldm/ring_buffer.h"
 
 namespace ldm {
-
-/// A particle in 16 bytes. Positions are fixed-point voxel coordinates modulo the map, like the
-/// slots of the ring buffer: the voxel is the integer part, so a moving map moves no particle.
-struct Particle {
-  std::uint16_t x, y, z;    ///< position [voxels / 2^fraction bits].  Eq. (2)
-  std::int16_t vx, vy, vz;  ///< velocity [kVelocityQuantum]; saturates at +-32 m/s.  Eq. (3)
-  std::uint32_t slot;       ///< of its voxel; the number of voxels once it has left the map
-
-  static constexpr double kVelocityQuantum = 1.0 / 1024;  ///< [m/s]
-};
-
-/// Sum of the velocities of some particles, in Particle::kVelocityQuantum: exact in any order.
-struct VelocitySum {
-  std::int64_t x = 0, y = 0, z = 0;
-  std::int64_t particles = 0;
-
-  void add(const Particle& p) {
-    x += p.vx;
-    y += p.vy;
-    z += p.vz;
-    ++particles;
-  }
-  void add(const VelocitySum& other);
-  /// The mean [m/s]; zero if there are no particles. All weights are equal: eq. 12 and 16.
-  Velocity mean() const;
-};
 
 class Particles {
  public:
@@ -100,6 +75,9 @@ class Particles {
     std::uint64_t next;  // where the next particle of this voxel begins [2^-32 particles]
     std::uint64_t step;  // what each particle claims
   };
+  // Spare places behind the particles: some for what is claimed beyond N_init, and some for each
+  // part. They fill a cache line, so that threads do not share one.
+  static constexpr std::size_t kSpare = 64 / sizeof(Particle);
   static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in a count
   /// One thread's stretch of the particles.
   struct Part {
@@ -110,15 +88,16 @@ class Particles {
   };
 
   void scatter_uniformly(const RingIndex& index);
-  void predict_part(int part, double dt, const RingIndex& index);
+  void predict_part(int part, ParticleMotion motion);
+  bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
+  void weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last);
   void claim(std::uint64_t start);
   void resample_part(int part);
   void bear(const RingIndex& index);
-  /// v_k = v_{k-1} + sigma.  Eq. (4)
-  void predict_velocity(Particle& p, std::uint64_t bits) const;
-  /// Evenly in the voxel at `corner`, with V_k^j; predict_velocity adds the sigma.  Eq. (13)
+  /// Evenly in the voxel at `corner`, with V_k^j + sigma. `draw`: number of the first of two draws
+  /// of `stream`.  Eq. (13)
   Particle newborn(std::uint32_t slot, const Velocity& mean, const Eigen::Vector3i& corner,
-                   std::uint64_t bits) const;
+                   const RandomStream& stream, std::uint64_t draw) const;
   std::span<Particle> slot_range(std::size_t slot);
   std::uint32_t count(std::size_t slot) const;
   /// Per slot, from `weigh` on: its place in voxels_, 0 for none.
@@ -130,16 +109,15 @@ class Particles {
   bool birth_;
   float occupied_above_;  // log-odds
   int fraction_bits_;
-  NormalTable noise_xy_;
-  NormalTable noise_z_;
+  VelocityNoise noise_;
   std::uint64_t seed_;
   std::uint64_t frame_ = 0;
 
-  std::vector<Particle> particles_;  // one more than N_init: see `normalised`
-  std::vector<Particle> resampled_;
-  std::vector<Voxel> voxels_;  // in slot order; the first is nobody's
   Parallel parallel_;
   std::vector<Part> parts_;
+  std::vector<Particle> particles_;  // N_init, and spare places
+  std::vector<Particle> resampled_;
+  std::vector<Voxel> voxels_;  // in slot order; the first is nobody's
   std::uint64_t total_weight_ = 0;
 };
 
