@@ -12,11 +12,21 @@
 namespace baselines {
 namespace {
 
-constexpr double kVoxelsToBorder = 32768;  // of the tree, from the origin: its keys have 16 bits
+constexpr int kVoxelsToBorder = 32768;  // of the tree, from the origin: its keys have 16 bits
 
 octomap::point3d to_octomap(const Eigen::Vector3d& p) {
   const Eigen::Vector3f f = p.cast<float>();
   return {f.x(), f.y(), f.z()};
+}
+
+/// The octree numbers its voxels from its border on.
+octomap::OcTreeKey key_of(const ldm::VoxelIndex& v) {
+  const Eigen::Matrix<octomap::key_type, 3, 1> key =
+      (v.array() + kVoxelsToBorder).cast<octomap::key_type>();
+  return {key.x(), key.y(), key.z()};
+}
+ldm::VoxelIndex voxel_of(const octomap::OcTreeKey& key) {
+  return ldm::VoxelIndex(key[0], key[1], key[2]).array() - kVoxelsToBorder;
 }
 
 }  // namespace
@@ -71,15 +81,21 @@ void Octomap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
 void Octomap::read(ldm::LocalMap& map) const {
   map.window = window_;
   map.resolution = resolution_;
-  map.occupancy.clear();
-  const ldm::VoxelIndex end = window_.origin + window_.size;
-  for (int z = window_.origin.z(); z < end.z(); ++z) {
-    for (int y = window_.origin.y(); y < end.y(); ++y) {
-      for (int x = window_.origin.x(); x < end.x(); ++x) {
-        const Eigen::Vector3d centre =
-            resolution_ * (Eigen::Vector3d(x, y, z).array() + 0.5).matrix();
-        const octomap::OcTreeNode* node = tree_->search(centre.x(), centre.y(), centre.z());
-        map.occupancy.push_back(node == nullptr ? 0.5F : static_cast<float>(node->getOccupancy()));
+  map.occupancy.assign(window_.count(), 0.5F);
+  const ldm::VoxelIndex last = window_.origin + window_.size - ldm::VoxelIndex::Ones();
+  const auto end = tree_->end_leafs_bbx();
+  for (auto leaf = tree_->begin_leafs_bbx(key_of(window_.origin), key_of(last)); leaf != end;
+       ++leaf) {
+    // A leaf above the lowest level stands for a cube of voxels, which may reach out of the window.
+    const ldm::VoxelIndex low = voxel_of(leaf.getIndexKey());
+    const int edge = 1 << (tree_->getTreeDepth() - leaf.getDepth());
+    const ldm::VoxelIndex from = low.cwiseMax(window_.origin);
+    const ldm::VoxelIndex to = (low.array() + edge - 1).matrix().cwiseMin(last);
+    const auto occupancy = static_cast<float>(leaf->getOccupancy());
+    for (int z = from.z(); z <= to.z(); ++z) {
+      for (int y = from.y(); y <= to.y(); ++y) {
+        const auto row = static_cast<std::ptrdiff_t>(window_.index({from.x(), y, z}));
+        std::fill_n(map.occupancy.begin() + row, to.x() - from.x() + 1, occupancy);
       }
     }
   }
