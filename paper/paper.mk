@@ -1,6 +1,6 @@
 # The report: `make paper`, and `make reproduce-full` for all that it rests on.
 
-PAPER_STUDIES := table1 calibration timing ablation particles process_noise survival resolution map_size \
+PAPER_STUDIES := table1 outdoor calibration timing ablation particles process_noise survival resolution map_size \
   sensor_noise channels obstacle_speed
 
 .PHONY: paper
@@ -12,6 +12,7 @@ paper: setup ## the report paper/ldm-reproduction.pdf, from the results that exi
 	  --output paper/generated
 	@cd paper && latexmk -pdf -outdir=generated -silent -interaction=nonstopmode -halt-on-error \
 	  ldm-reproduction.tex > generated/latexmk.out 2>&1 || { cat generated/latexmk.out; exit 1; }
+	@! grep -E -A1 '^Overfull|undefined' paper/generated/ldm-reproduction.log >&2
 	@mv paper/generated/ldm-reproduction.pdf paper/ && echo paper/ldm-reproduction.pdf
 
 .PHONY: clean-paper

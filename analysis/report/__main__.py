@@ -74,7 +74,7 @@ def _tabular(evidence: Evidence, part, caption: str, label: str) -> str:
     """A table that `make tables` also makes, of `accuracy_table` or `velocity_table`."""
     study = evidence.study("table1")
     if study is None:
-        return latex.missing("table1") + "\n"
+        return latex.table(latex.missing("table1"), caption, label)
     means = Means(mean_table(study, part.SHOWN))
     return latex.table(r"\fitted{" + part.tabular(study, means).strip() + "}", caption, label)
 

@@ -9,12 +9,14 @@ from analysis.report.evidence import Evidence
 from analysis.statistics import Interval
 from analysis.text_table import latex_tabular
 
+LABEL = "tab:time"
+
 
 def stages_table(evidence: Evidence, caption: str) -> str:
     """Stages of the LDM, then the totals of all methods [ms]."""
     study = evidence.study("timing")
     if study is None:
-        return latex.missing("timing") + "\n"
+        return latex.table(latex.missing("timing"), caption, LABEL)
     found = time_table(serial_records(study), study.methods)
     stages = found[(found["method"] == METHOD) & (found["stage"] != TOTAL)]
     totals = found[found["stage"] == TOTAL]
@@ -26,7 +28,7 @@ def stages_table(evidence: Evidence, caption: str) -> str:
               latex.value(paper.get(row.method), 0)]
              for row in totals.itertuples()]  # fmt: skip
     body = latex_tabular("lrrr", [r"stage & median (ms) & mean (ms) & paper (ms) \\"], rows)
-    return latex.table(body, caption, "tab:time")
+    return latex.table(body, caption, LABEL)
 
 
 def _times(row) -> list[str]:
