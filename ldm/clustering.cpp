@@ -9,7 +9,18 @@ namespace ldm {
 Clustering::Clustering(const MapParameters& map, const ClusterParameters& clusters)
     : resolution_(map.resolution),
       threshold_(static_cast<float>(log_odds(clusters.occupied_above))),
-      size_(map.voxels) {}
+      size_(map.voxels) {
+  // Room for what is usual; a map with more of it takes more once.
+  constexpr std::size_t kUsualClusters = 256;
+  constexpr std::size_t kUsualRuns = 4096;
+  for (auto* const runs : {&runs_, &grouped_}) runs->reserve(kUsualRuns);
+  parent_.reserve(kUsualRuns);
+  clusters_.reserve(kUsualClusters);
+  first_run_.reserve(kUsualClusters + 1);
+  extents_.reserve(kUsualClusters);
+  first_run_of_row_.reserve(
+      static_cast<std::size_t>(size_.y()) * static_cast<std::size_t>(size_.z()) + 1);
+}
 
 void Clustering::find(const RingBuffer<float>& log_odds) {
   find_runs(log_odds);

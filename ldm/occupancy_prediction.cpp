@@ -8,6 +8,9 @@
 namespace ldm {
 namespace {
 
+constexpr std::size_t kUsualClusters = 256;
+constexpr std::size_t kUsualVoxels = 4096;  // of clusters
+
 bool inside(const VoxelIndex& local, const Eigen::Vector3i& size) {
   return (local.array() >= 0).all() && (local.array() < size.array()).all();
 }
@@ -30,6 +33,12 @@ OccupancyPrediction::OccupancyPrediction(const MapParameters& map,
   owner_.assign(count, -1);
   kept_.assign(count, 0);
   if (prediction.sub_voxel == SubVoxelMotion::kTrilinear) share_.assign(count, 0);
+  // Room for what is usual; a map with more of it takes more once.
+  for (auto* const rests : {&rests_, &old_rests_}) rests->reserve(kUsualClusters);
+  motions_.reserve(kUsualClusters);
+  shared_.reserve(kUsualClusters);
+  taken_.reserve(kUsualVoxels);
+  owned_.reserve(kUsualVoxels);
 }
 
 void OccupancyPrediction::predict(double dt, const Clustering& clusters,

@@ -10,7 +10,9 @@ namespace ldm {
 namespace {
 
 constexpr double kOneWeight = 1 << 24;
-constexpr int kClaimBits = 32;
+constexpr int kClaimBits = 31;  // of a particle's claim: it fits 32
+constexpr std::size_t kVoxelsPerBirth =
+    64;                               // that memory is set aside for; more is taken when needed
 constexpr std::size_t kStretch = 32;  // slots looked at as one
 
 /// Fraction bits of a position that fits 16 bits for any voxel of the map.
@@ -46,10 +48,11 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       particles_(n_init_ + kSpare * (1 + parts_.size())),
       resampled_(particles_.size()) {
   voxels_.reserve(std::min(index.count(), n_init_) + 1);
+  births_.reserve(voxels_.capacity() / kVoxelsPerBirth);
   for (Part& part : parts_) {
     part.count.resize(index.count() + 1);
-    part.claims.reserve(voxels_.capacity());
-    part.before.reserve(voxels_.capacity());
+    part.next.reserve(voxels_.capacity());
+    part.before.reserve(births_.capacity());
   }
   scatter_uniformly(index);
 }
@@ -113,13 +116,13 @@ std::uint32_t Particles::count(std::size_t slot) const {
   return sum;
 }
 
-std::uint64_t Particles::updated_weight(float l) const {
-  return static_cast<std::uint64_t>(
+std::uint32_t Particles::updated_weight(float l) const {
+  return static_cast<std::uint32_t>(
       std::llround(kOneWeight * (1 / static_cast<double>(n_init_) + probability(l))));
 }
 
-std::uint64_t Particles::normalised(std::uint64_t weight, double claim_per_weight) {
-  return static_cast<std::uint64_t>(static_cast<double>(weight) * claim_per_weight) + 1;
+std::uint32_t Particles::normalised(std::uint32_t weight, double claim_per_weight) {
+  return static_cast<std::uint32_t>(weight * claim_per_weight) + 1;
 }
 
 void Particles::weigh(const RingBuffer<float>& map) {
@@ -136,6 +139,7 @@ void Particles::weigh(const RingBuffer<float>& map) {
     });
   }
   voxels_.assign(1, Voxel{});
+  births_.clear();
   total_weight_ = 0;
   for (std::size_t first = 0; first < log_odds.size(); first += kStretch) {
     const std::size_t last = std::min(first + kStretch, log_odds.size());
@@ -158,50 +162,62 @@ bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
 }
 
 void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last) {
-  const auto prior = static_cast<std::uint64_t>(kOneWeight / static_cast<double>(n_init_));
+  const auto prior = static_cast<std::uint32_t>(kOneWeight / static_cast<double>(n_init_));
   for (std::size_t slot = first; slot < last; ++slot) {
     const std::uint32_t count = this->count(slot);
     const bool needs_births = birth_ && count < min_per_voxel_ && log_odds[slot] > occupied_above_;
     if (count == 0 && !needs_births) continue;
-    Voxel voxel{};
-    voxel.slot = static_cast<std::uint32_t>(slot);
-    voxel.count = count;
-    voxel.births = needs_births ? min_per_voxel_ - count : 0;
-    voxel.weight = updated_weight(log_odds[slot]);
-    voxel.birth_weight = voxel.weight - prior;
-    total_weight_ += voxel.count * voxel.weight + voxel.births * voxel.birth_weight;
-    voxels_.push_back(voxel);
+    const std::uint32_t weight = updated_weight(log_odds[slot]);
+    total_weight_ += std::uint64_t{count} * weight;
+    if (needs_births) {
+      const auto place = static_cast<std::uint32_t>(voxels_.size());
+      births_.push_back({place, min_per_voxel_ - count, weight - prior});
+      total_weight_ += std::uint64_t{births_.back().count} * births_.back().claim;
+    }
+    voxels_.push_back({static_cast<std::uint32_t>(slot), 0, weight});
   }
 }
 
-/// Lays the claims of all voxels end to end from `start`; in a voxel, those of part after part.
-void Particles::claim(std::uint64_t start) {
-  const double claim_per_weight = static_cast<double>(n_init_) * std::ldexp(1.0, kClaimBits) /
-                                  static_cast<double>(total_weight_);
+/// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
+void Particles::claim() {
+  const auto heavier = [](const Voxel& a, const Voxel& b) { return a.claim < b.claim; };
+  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(total_weight_);
+  const double most = std::max_element(voxels_.begin(), voxels_.end(), heavier)->claim * per_weight;
+  claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
+  const double claim_per_weight = std::ldexp(per_weight, claim_bits_);
   for (Part& part : parts_) {
-    part.claims.assign(1, Claim{0, 0});
-    part.before.assign(voxels_.size(), VelocitySum{});
+    part.next.assign(1, 0);
+    part.before.assign(births_.size(), VelocitySum{});
   }
-  std::uint64_t next = start;
+  const RandomStream stream(seed_, Purpose::kResampling, frame_);
+  std::uint64_t next = stream.bits(0) >> (64 - claim_bits_);
+  auto births = births_.begin();
   for (std::size_t i = 1; i < voxels_.size(); ++i) {
     Voxel& voxel = voxels_[i];
-    const std::uint64_t step = normalised(voxel.weight, claim_per_weight);
     // What is claimed beyond N_init, a trace of rounding, goes to a spare place and is lost.
-    voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> kClaimBits, n_init_));
-    voxel.birth_weight = normalised(voxel.birth_weight, claim_per_weight);
+    voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
+    voxel.claim = normalised(voxel.claim, claim_per_weight);
+    std::uint32_t count = 0;
     for (Part& part : parts_) {
-      // Particles that still name a voxel with none are forgotten ones: they claim nothing.
-      part.claims.push_back({next, voxel.count > 0 ? step : 0});
-      next += part.count[voxel.slot] * step;
+      part.next.push_back(next);
+      count += part.count[voxel.slot];
+      next += std::uint64_t{part.count[voxel.slot]} * voxel.claim;
     }
-    next += voxel.births * voxel.birth_weight;
-    const bool sums_velocities = voxel.births > 0 && voxel.count > 0;
-    places()[voxel.slot] = static_cast<std::uint32_t>(i) | (sums_velocities ? kHasBirths : 0);
+    // Particles that still name a voxel with none are forgotten ones: they claim nothing.
+    if (count == 0) voxel.claim = 0;
+    const bool has_births = births != births_.end() && births->place == i;
+    if (has_births) {
+      births->claim = normalised(births->claim, claim_per_weight);
+      next += std::uint64_t{births->count} * births->claim;
+      ++births;
+    }
+    places()[voxel.slot] =
+        static_cast<std::uint32_t>(i) | (has_births && count > 0 ? kHasBirths : 0);
   }
 }
 
 void Particles::resample(const RingIndex& index) {
-  claim(RandomStream(seed_, Purpose::kResampling, frame_).bits(0) >> (64 - kClaimBits));
+  claim();
   parallel_.run([this](int part) { resample_part(part); });
   bear(index);
   particles_.swap(resampled_);
@@ -211,45 +227,56 @@ void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
   const std::vector<std::uint32_t>& place_of = places();
   const auto [begin, end] = parallel_.share(number, n_init_);
+  const Voxel* const voxels = voxels_.data();
+  const int bits = claim_bits_;
   Particle* const resampled = resampled_.data();
   const std::uint64_t spare = n_init_ + kSpare * static_cast<std::uint64_t>(1 + number);
   for (std::size_t i = begin; i < end; ++i) {
     const Particle p = particles_[i];
     const std::uint32_t place = place_of[p.slot];
-    Claim& claim = part.claims[place & ~kHasBirths];
-    const std::uint64_t first = claim.next >> kClaimBits;
-    claim.next += claim.step;
-    const std::uint64_t last = claim.next >> kClaimBits;
+    std::uint64_t& next = part.next[place & ~kHasBirths];
+    const std::uint64_t first = next >> bits;
+    next += voxels[place & ~kHasBirths].claim;
+    const std::uint64_t last = next >> bits;
     // Most have no copy, one or two, as if by chance: a processor that guesses which loses more
     // time than by two copies that may go to the spare place. This halves the time of the pass.
     const std::uint64_t copies = last - first;
     resampled[choose(copies > 0, first, spare)] = p;
     resampled[choose(copies > 1, first + 1, spare)] = p;
     for (std::uint64_t to = first + 2; to < last; ++to) resampled[to] = p;
-    if ((place & kHasBirths) != 0) part.before[place & ~kHasBirths].add(p);
+    if ((place & kHasBirths) != 0) before(place & ~kHasBirths, part).add(p);
   }
+}
+
+/// The sum that belongs to the births of a voxel.
+VelocitySum& Particles::before(std::uint32_t place, Part& part) const {
+  const auto births =
+      std::lower_bound(births_.begin(), births_.end(), place,
+                       [](const Births& b, std::uint32_t p) { return b.place < p; });
+  return part.before[static_cast<std::size_t>(births - births_.begin())];
 }
 
 /// The newborn of each voxel, behind the copies of those that were there.
 void Particles::bear(const RingIndex& index) {
   const RandomStream stream(seed_, Purpose::kBirth, frame_);
   const Eigen::Vector3i& n = index.window().size;
-  for (std::size_t i = 1; i < voxels_.size(); ++i) {
-    const Voxel& voxel = voxels_[i];
-    if (voxel.births == 0) continue;
-    const int slot = static_cast<int>(voxel.slot);
-    const Eigen::Vector3i cell(slot % n.x(), slot / n.x() % n.y(), slot / n.x() / n.y());
-    const Eigen::Vector3i corner = cell * (1 << fraction_bits_);
-    std::uint64_t next = parts_.back().claims[i].next;
+  for (std::size_t i = 0; i < births_.size(); ++i) {
+    const Births& births = births_[i];
+    const std::uint32_t slot = voxels_[births.place].slot;
+    const auto cell = static_cast<int>(slot);
+    const Eigen::Vector3i corner =
+        Eigen::Vector3i(cell % n.x(), cell / n.x() % n.y(), cell / n.x() / n.y()) *
+        (1 << fraction_bits_);
+    std::uint64_t next = parts_.back().next[births.place];
     VelocitySum before;
     for (const Part& part : parts_) before.add(part.before[i]);
-    for (std::uint32_t birth = 0; birth < voxel.births; ++birth) {
-      const std::uint64_t begin = next >> kClaimBits;
-      next += voxel.birth_weight;
-      const std::uint64_t end = next >> kClaimBits;
+    for (std::uint32_t birth = 0; birth < births.count; ++birth) {
+      const std::uint64_t begin = next >> claim_bits_;
+      next += births.claim;
+      const std::uint64_t end = next >> claim_bits_;
       if (begin == end) continue;
-      const std::uint64_t draw = (std::uint64_t{voxel.slot} << 32) + 2 * birth;
-      const Particle p = newborn(voxel.slot, before.mean(), corner, stream, draw);
+      const std::uint64_t draw = (std::uint64_t{slot} << 32) + 2 * birth;
+      const Particle p = newborn(slot, before.mean(), corner, stream, draw);
       for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;
     }
   }

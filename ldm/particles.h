@@ -40,10 +40,10 @@ class Particles {
   void resample(const RingIndex& index);
 
   /// w_k = w_{k-1} + P(Occ) with w_{k-1} = 1 / N_init, in units of 2^-24.  Eq. (11)
-  std::uint64_t updated_weight(float log_odds) const;
-  /// w / mu: the part of N_init that a weight claims, in 2^-32 particles. Always rounded up: the
-  /// claims reach N_init.  Eq. (14)
-  static std::uint64_t normalised(std::uint64_t weight, double claim_per_weight);
+  std::uint32_t updated_weight(float log_odds) const;
+  /// w / mu: the part of N_init that a weight claims, in the unit of `claim_per_weight`. Always
+  /// rounded up: the claims reach N_init.  Eq. (14)
+  static std::uint32_t normalised(std::uint32_t weight, double claim_per_weight);
   /// mu_k: the sum of all weights after `weigh`, in units of 2^-24.  Eq. (15)
   std::uint64_t total_weight() const { return total_weight_; }
 
@@ -61,19 +61,19 @@ class Particles {
   Eigen::Vector3d position(const Particle& p, const RingIndex& index) const;
 
  private:
-  /// A voxel that holds particles, or in which some are to be born.
+  /// A voxel that holds particles, or in which some are to be born. The comb of systematic
+  /// resampling runs through the claims of all particles, voxel by voxel.
   struct Voxel {
     std::uint32_t slot;
-    std::uint32_t count;   // particles here before resampling
-    std::uint32_t births;  // particles to be born
-    std::uint32_t first;   // its first particle after resampling
-    std::uint64_t weight;  // of each particle here before
-    std::uint64_t birth_weight;
+    std::uint32_t first;  // its first particle after resampling
+    std::uint32_t claim;  // of each particle here before [2^-claim_bits_ particles]; until `claim`,
+                          // its weight
   };
-  /// The comb of systematic resampling runs through the claims of all particles, voxel by voxel.
-  struct Claim {
-    std::uint64_t next;  // where the next particle of this voxel begins [2^-32 particles]
-    std::uint64_t step;  // what each particle claims
+  /// Particles to be born in a voxel.
+  struct Births {
+    std::uint32_t place;  // in voxels_
+    std::uint32_t count;
+    std::uint32_t claim;  // of each, like Voxel::claim
   };
   // Spare places behind the particles: some for what is claimed beyond N_init, and some for each
   // part. They fill a cache line, so that threads do not share one.
@@ -82,16 +82,15 @@ class Particles {
   /// One thread's stretch of the particles.
   struct Part {
     std::vector<std::uint32_t> count;  // per slot, and one for all that left: number of particles
-    std::vector<Claim> claims;         // beside voxels_
-    std::vector<VelocitySum> before;   // beside voxels_: of the particles here before resampling;
-                                       // only where there are births
+    std::vector<std::uint64_t> next;  // beside voxels_: where the claim of its next particle begins
+    std::vector<VelocitySum> before;  // beside births_: of the particles here before resampling
   };
 
   void scatter_uniformly(const RingIndex& index);
   void predict_part(int part, ParticleMotion motion);
   bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
   void weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last);
-  void claim(std::uint64_t start);
+  void claim();
   void resample_part(int part);
   void bear(const RingIndex& index);
   /// Evenly in the voxel at `corner`, with V_k^j + sigma. `draw`: number of the first of two draws
@@ -100,6 +99,7 @@ class Particles {
                    const RandomStream& stream, std::uint64_t draw) const;
   std::span<Particle> slot_range(std::size_t slot);
   std::uint32_t count(std::size_t slot) const;
+  VelocitySum& before(std::uint32_t place, Part& part) const;
   /// Per slot, from `weigh` on: its place in voxels_, 0 for none.
   std::vector<std::uint32_t>& places() { return parts_[0].count; }
 
@@ -117,7 +117,9 @@ class Particles {
   std::vector<Part> parts_;
   std::vector<Particle> particles_;  // N_init, and spare places
   std::vector<Particle> resampled_;
-  std::vector<Voxel> voxels_;  // in slot order; the first is nobody's
+  std::vector<Voxel> voxels_;   // in slot order; the first is nobody's
+  std::vector<Births> births_;  // in slot order
+  int claim_bits_ = 0;
   std::uint64_t total_weight_ = 0;
 };
 
