@@ -10,10 +10,9 @@ namespace ldm {
 namespace {
 
 constexpr double kOneWeight = 1 << 24;
-constexpr int kClaimBits = 31;  // of a particle's claim: it fits 32
-constexpr std::size_t kVoxelsPerBirth =
-    64;                               // that memory is set aside for; more is taken when needed
-constexpr std::size_t kStretch = 32;  // slots looked at as one
+constexpr int kClaimBits = 31;              // of a particle's claim: it fits 32
+constexpr std::size_t kUsualBirths = 4096;  // voxels; a frame with more takes more memory
+constexpr std::size_t kStretch = 32;        // slots looked at as one
 
 /// Fraction bits of a position that fits 16 bits for any voxel of the map.
 int fraction_bits(const Eigen::Vector3i& voxels) {
@@ -48,7 +47,7 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       particles_(n_init_ + kSpare * (1 + parts_.size())),
       resampled_(particles_.size()) {
   voxels_.reserve(std::min(index.count(), n_init_) + 1);
-  births_.reserve(voxels_.capacity() / kVoxelsPerBirth);
+  births_.reserve(kUsualBirths);
   for (Part& part : parts_) {
     part.count.resize(index.count() + 1);
     part.next.reserve(voxels_.capacity());
