@@ -1,8 +1,10 @@
 #pragma once
 /// A particle and the sum of some: paper Eq. (2), (3), (12).
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "ldm/lanes.h"
 #include "ldm/types.h"
@@ -28,34 +30,52 @@ struct ParticleLanes {
   Lanes velocity;
 
   explicit ParticleLanes(const Particle& p)
-      : position(__builtin_convertvector(load<Positions>(p, kX), Lanes)),
-        velocity(__builtin_convertvector(load<Velocities>(p, kVx), Lanes)) {}
+      : position(reinterpret_cast<Lanes>(
+            __builtin_shufflevector(load(p, kX), Halves{}, 0, 8, 1, 9, 2, 10, 3, 11))),
+        velocity(velocity_of(p)) {}
+
+  /// The velocity alone: each half a lane twice, the upper of which is shifted down with its sign.
+  static Lanes velocity_of(const Particle& p) {
+    const Halves v = load(p, kVx);
+    return reinterpret_cast<Lanes>(__builtin_shufflevector(v, v, 0, 0, 1, 1, 2, 2, 3, 3)) >> 16;
+  }
 
   /// Into `p`, whose slot is `slot` from now on. Positions and velocities fit 16 bits.
   void store(std::uint32_t slot, Particle& p) const {
-    const auto x = __builtin_convertvector(position, Positions);
-    const auto v = __builtin_convertvector(velocity, Velocities);
     // Each also writes two bytes of what comes next, which is therefore written next.
-    std::memcpy(bytes(p) + kX, &x, sizeof x);
-    std::memcpy(bytes(p) + kVx, &v, sizeof v);
+    store(position, kX, p);
+    store(velocity, kVx, p);
     p.slot = slot;
   }
 
  private:
-  using Positions = std::uint16_t __attribute__((vector_size(8)));
-  using Velocities = std::int16_t __attribute__((vector_size(8)));
+  using Halves = std::int16_t __attribute__((vector_size(16)));
   static constexpr std::size_t kX = offsetof(Particle, x);
   static constexpr std::size_t kVx = offsetof(Particle, vx);
-  static_assert(sizeof(Particle) == 16 && kVx + sizeof(Velocities) <= sizeof(Particle));
+  static constexpr std::size_t kBytes = 8;  // three axes, and two bytes more
+  static_assert(sizeof(Particle) == 16 && kVx + kBytes <= sizeof(Particle));
 
-  static std::byte* bytes(Particle& p) { return reinterpret_cast<std::byte*>(&p); }
-
-  template <class Half>
-  static Half load(const Particle& p, std::size_t offset) {
-    Half half;
-    std::memcpy(&half, reinterpret_cast<const std::byte*>(&p) + offset, sizeof half);
-    return half;
+  static Halves load(const Particle& p, std::size_t offset) {
+    std::int64_t bytes = 0;
+    std::memcpy(&bytes, reinterpret_cast<const std::byte*>(&p) + offset, kBytes);
+    using Words = std::int64_t __attribute__((vector_size(16)));
+    return reinterpret_cast<Halves>(Words{bytes, 0});
   }
+  static void store(const Lanes& lanes, std::size_t offset, Particle& p) {
+    const auto all = reinterpret_cast<Halves>(lanes);
+    const auto low = __builtin_shufflevector(all, all, 0, 2, 4, 6, 0, 2, 4, 6);
+    std::memcpy(reinterpret_cast<std::byte*>(&p) + offset, &low, kBytes);
+  }
+};
+
+/// A particle in one register, to be put down several times.
+class ParticleCopy {
+ public:
+  explicit ParticleCopy(const Particle& p) { std::memcpy(&all_, &p, sizeof all_); }
+  void put(Particle& p) const { std::memcpy(&p, &all_, sizeof all_); }
+
+ private:
+  Lanes all_;
 };
 
 /// Sum of the velocities of some particles, in Particle::kVelocityQuantum: exact in any order.
@@ -68,6 +88,20 @@ struct VelocitySum {
     y += p.vy;
     z += p.vz;
     ++particles;
+  }
+  /// All axes at once. A lane holds the sum of 2^16 velocities.
+  void add(std::span<const Particle> some) {
+    constexpr std::size_t kMost = 1 << 16;
+    for (std::size_t first = 0; first < some.size(); first += kMost) {
+      Lanes sum{};
+      for (const Particle& p : some.subspan(first, std::min(kMost, some.size() - first))) {
+        sum += ParticleLanes::velocity_of(p);
+      }
+      x += sum[0];
+      y += sum[1];
+      z += sum[2];
+    }
+    particles += static_cast<std::int64_t>(some.size());
   }
   void add(const VelocitySum& other) {
     x += other.x;

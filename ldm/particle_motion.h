@@ -44,11 +44,11 @@ class ParticleMotion {
   std::uint32_t move(Lanes& position, const Lanes& velocity) const {
     const Lanes before = position - origin_;
     const Lanes from_lowest =
-        before + ((before < 0) & extent_) + ((velocity * step_ + half_) >> shift_);
-    const Lanes outside = (from_lowest < 0) | (from_lowest >= extent_);
+        unsigned_min(before, before + extent_) + ((velocity * step_ + half_) >> shift_);
+    const Lanes inside = unsigned_min(from_lowest, extent_ - 1) == from_lowest;
     const Lanes moved = from_lowest + origin_;
-    position = (moved - ((moved >= extent_) & extent_)) & ~outside;
-    const Lanes part = (position >> fraction_bits_) * stride_ + (outside & kFar);
+    position = unsigned_min(unsigned_min(moved, moved - extent_), extent_ - 1);
+    const Lanes part = (position >> fraction_bits_) * stride_ + (~inside & kFar);
     return static_cast<std::uint32_t>(std::min(part[0] + part[1] + part[2], gone_));
   }
 

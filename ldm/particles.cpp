@@ -47,6 +47,7 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       particles_(n_init_ + kSpare * (1 + parts_.size())),
       resampled_(particles_.size()) {
   voxels_.reserve(std::min(index.count(), n_init_) + 1);
+  claims_.reserve(voxels_.capacity());
   births_.reserve(kUsualBirths);
   for (Part& part : parts_) {
     part.count.resize(index.count() + 1);
@@ -138,6 +139,7 @@ void Particles::weigh(const RingBuffer<float>& map) {
     });
   }
   voxels_.assign(1, Voxel{});
+  claims_.assign(1, 0);
   births_.clear();
   total_weight_ = 0;
   for (std::size_t first = 0; first < log_odds.size(); first += kStretch) {
@@ -173,15 +175,15 @@ void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, 
       births_.push_back({place, min_per_voxel_ - count, weight - prior});
       total_weight_ += std::uint64_t{births_.back().count} * births_.back().claim;
     }
-    voxels_.push_back({static_cast<std::uint32_t>(slot), 0, weight});
+    voxels_.push_back({static_cast<std::uint32_t>(slot), 0});
+    claims_.push_back(weight);
   }
 }
 
 /// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
 void Particles::claim() {
-  const auto heavier = [](const Voxel& a, const Voxel& b) { return a.claim < b.claim; };
   const double per_weight = static_cast<double>(n_init_) / static_cast<double>(total_weight_);
-  const double most = std::max_element(voxels_.begin(), voxels_.end(), heavier)->claim * per_weight;
+  const double most = *std::max_element(claims_.begin(), claims_.end()) * per_weight;
   claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
   const double claim_per_weight = std::ldexp(per_weight, claim_bits_);
   for (Part& part : parts_) {
@@ -195,15 +197,15 @@ void Particles::claim() {
     Voxel& voxel = voxels_[i];
     // What is claimed beyond N_init, a trace of rounding, goes to a spare place and is lost.
     voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
-    voxel.claim = normalised(voxel.claim, claim_per_weight);
+    claims_[i] = normalised(claims_[i], claim_per_weight);
     std::uint32_t count = 0;
     for (Part& part : parts_) {
       part.next.push_back(next);
       count += part.count[voxel.slot];
-      next += std::uint64_t{part.count[voxel.slot]} * voxel.claim;
+      next += std::uint64_t{part.count[voxel.slot]} * claims_[i];
     }
     // Particles that still name a voxel with none are forgotten ones: they claim nothing.
-    if (count == 0) voxel.claim = 0;
+    if (count == 0) claims_[i] = 0;
     const bool has_births = births != births_.end() && births->place == i;
     if (has_births) {
       births->claim = normalised(births->claim, claim_per_weight);
@@ -224,26 +226,28 @@ void Particles::resample(const RingIndex& index) {
 
 void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
-  const std::vector<std::uint32_t>& place_of = places();
-  const auto [begin, end] = parallel_.share(number, n_init_);
-  const Voxel* const voxels = voxels_.data();
-  const int bits = claim_bits_;
+  const std::uint32_t* const place_of = places().data();
+  const std::uint32_t* const claims = claims_.data();
+  std::uint64_t* const next_of = part.next.data();
+  const Particle* const particles = particles_.data();
   Particle* const resampled = resampled_.data();
   const std::uint64_t spare = n_init_ + kSpare * static_cast<std::uint64_t>(1 + number);
+  const int bits = claim_bits_;
+  const auto [begin, end] = parallel_.share(number, n_init_);
   for (std::size_t i = begin; i < end; ++i) {
-    const Particle p = particles_[i];
-    const std::uint32_t place = place_of[p.slot];
-    std::uint64_t& next = part.next[place & ~kHasBirths];
+    const std::uint32_t place = place_of[particles[i].slot];
+    std::uint64_t& next = next_of[place & ~kHasBirths];
     const std::uint64_t first = next >> bits;
-    next += voxels[place & ~kHasBirths].claim;
+    next += claims[place & ~kHasBirths];
     const std::uint64_t last = next >> bits;
     // Most have no copy, one or two, as if by chance: a processor that guesses which loses more
     // time than by two copies that may go to the spare place. This halves the time of the pass.
     const std::uint64_t copies = last - first;
-    resampled[choose(copies > 0, first, spare)] = p;
-    resampled[choose(copies > 1, first + 1, spare)] = p;
-    for (std::uint64_t to = first + 2; to < last; ++to) resampled[to] = p;
-    if ((place & kHasBirths) != 0) before(place & ~kHasBirths, part).add(p);
+    const ParticleCopy particle(particles[i]);
+    particle.put(resampled[choose(copies > 0, first, spare)]);
+    particle.put(resampled[choose(copies > 1, first + 1, spare)]);
+    for (std::uint64_t to = first + 2; to < last; ++to) particle.put(resampled[to]);
+    if ((place & kHasBirths) != 0) before(place & ~kHasBirths, part).add(particles[i]);
   }
 }
 
@@ -315,7 +319,7 @@ std::span<const Particle> Particles::in_slot(std::size_t slot) const {
 
 VelocitySum Particles::velocity_sum(std::size_t slot) const {
   VelocitySum sum;
-  for (const Particle& p : in_slot(slot)) sum.add(p);
+  sum.add(in_slot(slot));
   return sum;
 }
 

@@ -66,14 +66,12 @@ class Particles {
   struct Voxel {
     std::uint32_t slot;
     std::uint32_t first;  // its first particle after resampling
-    std::uint32_t claim;  // of each particle here before [2^-claim_bits_ particles]; until `claim`,
-                          // its weight
   };
   /// Particles to be born in a voxel.
   struct Births {
     std::uint32_t place;  // in voxels_
     std::uint32_t count;
-    std::uint32_t claim;  // of each, like Voxel::claim
+    std::uint32_t claim;  // of each, as in claims_
   };
   // Spare places behind the particles: some for what is claimed beyond N_init, and some for each
   // part. They fill a cache line, so that threads do not share one.
@@ -117,7 +115,9 @@ class Particles {
   std::vector<Part> parts_;
   std::vector<Particle> particles_;  // N_init, and spare places
   std::vector<Particle> resampled_;
-  std::vector<Voxel> voxels_;   // in slot order; the first is nobody's
+  std::vector<Voxel> voxels_;  // in slot order; the first is nobody's
+  // Beside voxels_: what each particle claims [2^-claim_bits_ particles]; its weight until `claim`.
+  std::vector<std::uint32_t> claims_;
   std::vector<Births> births_;  // in slot order
   int claim_bits_ = 0;
   std::uint64_t total_weight_ = 0;
