@@ -20,6 +20,7 @@ SLURM    ?=
 SHARDS   ?= 4
 CPUS     ?= 1
 SBATCH_FLAGS ?=
+REV      ?=
 
 BUILD := build$(if $(NATIVE),-native)
 LDM   ?= $(BUILD)/bin/ldm
@@ -40,6 +41,8 @@ help: ## list the targets
 #:   PLUGIN=FILE.so methods from outside, of a study or to compare: docs/variants.md
 #:   SLURM=1        trials over Slurm, as an array of SHARDS=n (4) jobs with CPUS=n (1) each;
 #:                  SBATCH_FLAGS="--time=2:00:00 ..." more options of sbatch: docs/studies.md
+#:   REV=revision   of git, to compare the speed with: docs/benchmarks.md
+#:   FUZZ_SECONDS=n of each fuzzer (600)
 
 # --- Set-up and build ------------------------------------------------------------------------------
 
@@ -85,6 +88,12 @@ else
 program:
 endif
 
+.PHONY: view
+view: $(BUILD)/Makefile ## install and build what `ldm view` and films need: docs/pictures.md
+	$(call install,apt-packages-view.txt)
+	@cmake -S . -B $(BUILD) --log-level=NOTICE
+	@$(call compile,ldm_program ldm_window)
+
 # --- Tests and style -------------------------------------------------------------------------------
 
 .PHONY: test
@@ -100,9 +109,51 @@ test-slurm: program ## a study over a real Slurm of two nodes, one of which is l
 	$(call install,tests/slurm/apt-packages.txt)
 	@env -u MAKEFLAGS -u MFLAGS LDM=$(LDM) $(PYTHON) -m pytest tests/slurm/lost_node.py
 
+.PHONY: test-view
+test-view: view ## the window of `ldm view` and films by ffmpeg, under a virtual screen: 1 minute
+	$(call install,tests/view/apt-packages.txt)
+	@env -u MAKEFLAGS -u MFLAGS LDM=$(BUILD)/bin/ldm $(PYTHON) -m pytest tests/view/window.py tests/view/film.py
+
 .PHONY: test-scale
 test-scale: program ## what a study of 10,000 trials costs beside its trials: docs/studies.md
 	@$(PYTHON) tests/scale/ten_thousand_trials.py --program $(LDM) --jobs '$(JOBS)'
+
+# The golden fingerprint of all particles and log-odds is among the tests of ldm/.
+.PHONY: test-native
+test-native: ## the tests of ldm/, built for this very machine: the same bits as the portable build
+	@$(MAKE) NATIVE=1 test-ldm
+
+.PHONY: test-ldm
+test-ldm: $(BUILD)/Makefile
+	@$(call compile,ldm_tests)
+	@$(BUILD)/tests/ldm_tests --gtest_brief=1
+
+.PHONY: test-arm
+test-arm: BUILD = build-arm
+test-arm: ## ldm/ and its tests, built for 64-bit ARM and run under an emulator: 4 minutes
+	$(call install,tests/arm/apt-packages.txt)
+	@cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_TOOLCHAIN_FILE=tests/arm/toolchain.cmake \
+	  -DCMAKE_BUILD_TYPE=Release -DLDM_ALONE=ON -DWITH_TBB=OFF \
+	  $$(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+	@$(call compile,all)
+	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) \
+	  | sed '/Passed\|^ *Start/d'
+
+# Clang's runtime for fuzzing is not among the packages that building needs.
+FUZZ_SECONDS ?= 600
+fuzz_targets = pcd trajectory kitti mrpt_log
+.PHONY: fuzz
+fuzz: setup ## fuzz the readers of recordings, each for FUZZ_SECONDS (600): docs/recordings.md
+	$(call install,tests/fuzz/apt-packages.txt)
+	@cmake -S . -B build-fuzz --log-level=NOTICE -DCMAKE_BUILD_TYPE=RelWithDebInfo -DFUZZ=ON \
+	  -DBUILD_TESTING=OFF -DCMAKE_CXX_COMPILER=clang++-14
+	@env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL cmake --build build-fuzz --parallel '$(JOBS)' \
+	  --target $(fuzz_targets:%=fuzz_%) | sed '/Built target/d'
+	@for target in $(fuzz_targets); do \
+	  mkdir -p build-fuzz/corpus/$$target; \
+	  build-fuzz/tests/fuzz/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -timeout=60 -rss_limit_mb=4096 -malloc_limit_mb=8192 \
+	    -artifact_prefix=build-fuzz/$$target- build-fuzz/corpus/$$target tests/fuzz/corpus/$$target || exit 1; \
+	done
 
 .PHONY: equations
 equations: ## print the index of the paper's equations: symbol, file, test
@@ -117,6 +168,23 @@ style: $(BUILD)/Makefile ## check layout (clang-format) and code (clang-tidy)
 .PHONY: format
 format: setup ## lay out all C++ with clang-format
 	$(cxx_sources) | xargs clang-format-14 -i
+
+# --- Speed -----------------------------------------------------------------------------------------
+
+.PHONY: bench
+bench: $(BUILD)/Makefile ## speed of ours, bound, reference and baselines: results/bench.json, 4 minutes
+	@$(call compile,ldm_bench ldm_kernels)
+	@$(PYTHON) experiments/benchmarks/bench.py --program $(BUILD)/bin/ldm_bench \
+	  --kernels $(BUILD)/bin/ldm_kernels --results $(RESULTS) $(if $(FRAMES),--frames '$(FRAMES)')
+	@$(PYTHON) -m analysis.bench_table --results $(RESULTS)
+	@$(PYTHON) -m analysis.bench_figures --results $(RESULTS)
+
+.PHONY: bench-compare
+bench-compare: $(BUILD)/Makefile ## time of the working tree over that of REV, both measured in turns
+	@[ -n '$(REV)' ] || { echo "REV=revision is missing" >&2; exit 2; }
+	@$(call compile,ldm_bench)
+	@$(PYTHON) experiments/benchmarks/compare.py --revision='$(REV)' --program $(BUILD)/bin/ldm_bench \
+	  $(if $(FRAMES),--frames '$(FRAMES)') $(if $(NATIVE),--native) --jobs '$(JOBS)'
 
 # --- Studies ---------------------------------------------------------------------------------------
 
@@ -134,6 +202,7 @@ analyse = $(PYTHON) -m analysis.$(1) --results $(RESULTS) --study $(call folder,
 scripts_table1 = table1 velocity_figures
 scripts_velocity = velocity velocity_figures
 scripts_timing = computation_time
+scripts_outdoor = outdoor_figures
 define draw
 $(foreach script,$(or $(scripts_$(STUDY)),sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
 endef
@@ -147,12 +216,29 @@ $(call analyse,figure5,worlds) && \
 $(call analyse,velocity_figures,table1)
 endef
 
+# Figures 11 to 13 need a recorded flight of each scenario, and pictures: of outdoor1 all at rest, walking,
+# one hidden by another, and on the way back; of outdoor2 three on the way there and one on the way back.
+# FRAMES does not shorten it. Prints what it made.
+flight := $(RESULTS)/flight
+flight_pictures := $(addprefix outdoor1.frame,60 112 136 205) $(addprefix outdoor2.frame,60 85 110 200)
+define draw_flight
+mkdir -p $(flight) && rm -f $(flight)/*.frame*.png && \
+for scenario in outdoor1 outdoor2; do \
+  $(LDM) simulate $$scenario --seed 1 -o $(flight)/$$scenario.rawlog || exit 1; done && \
+for picture in $(flight_pictures); do $(LDM) render ldm $${picture%.*} --seed 1 --frame $${picture#*.frame} \
+  -o $(flight)/$$picture.png || exit 1; done && \
+$(PYTHON) -m analysis.flight_figures --results $(RESULTS)
+endef
+
 .PHONY: reproduce
-reproduce: program ## the paper's study: Table 1 and Figures 5 to 9, ours beside the published
+reproduce: program ## the paper's studies: Table 1 and Figures 5 to 9, 11 to 16, ours beside the published
 	@$(call run_study,table1)
-	@made=$$($(draw_figures)); \
+	@$(call run_study,outdoor)
+	@made=$$($(draw_figures)); outdoor=$$($(call analyse,outdoor_figures,outdoor)); \
 	$(call analyse,table1,table1); \
-	echo "Pictures:"; grep 'png$$' <<< "$$made"
+	grep -v '^$(RESULTS)/' <<< "$$outdoor"; \
+	echo "Pictures:"; grep -h 'png$$' <<< "$$made"$$'\n'"$$outdoor"
+	@$(draw_flight) | grep 'png$$'
 
 .PHONY: smoke
 smoke: SEEDS = 2
@@ -196,17 +282,23 @@ tables: setup ## Table 1 and the velocity errors, from the results that exist
 	@$(call analyse,table1,table1)
 
 .PHONY: figures
-figures: program ## Figures 5 to 9, from the results that exist
+figures: program ## Figures 5 to 9 and 11 to 16, from the results that exist
 	@$(draw_figures)
+	@$(draw_flight)
+	@$(call analyse,outdoor_figures,outdoor)
 
-# One frame for all: the first from 20 s on in whose map scenario3 has a moving and a standing obstacle.
+# The first frame from 20 s on in whose map scenario3 has a moving and a standing obstacle, and the one of
+# outdoor1 in which people meet.
+gallery_frame_outdoor1 := 112
 .PHONY: gallery
-gallery: program ## a picture of each scenario by ldm and circular_buffer, without a display: results/gallery/
-	@mkdir -p $(RESULTS)/gallery; \
-	for scenario in scenario1 scenario2 scenario3; do for method in ldm circular_buffer; do \
-	  picture=$(RESULTS)/gallery/$${scenario}_$$method.png; \
-	  $(LDM) render $$method $$scenario --seed 1 --frame 200 -o $$picture; echo "$$picture"; \
-	done; done
+gallery: program ## a picture of each scenario by each method, without a display: results/gallery/
+	@mkdir -p $(RESULTS)/gallery && rm -f $(RESULTS)/gallery/*.png
+	@{ $(foreach scenario,$(basename $(notdir $(wildcard datasets/scenarios/*.toml))), \
+	  for method in $$($(LDM) methods | cut -d' ' -f1); do \
+	    echo $$method $(scenario) --frame $(or $(gallery_frame_$(scenario)),200) \
+	      -o $(RESULTS)/gallery/$(scenario).$$method.png; done;) } \
+	  | xargs -P '$(JOBS)' -L 1 $(LDM) render --seed 1
+	@$(PYTHON) -m analysis.gallery --results $(RESULTS)
 
 # --- Report ----------------------------------------------------------------------------------------
 
@@ -216,7 +308,8 @@ include paper/paper.mk
 
 .PHONY: clean
 clean: ## delete what was built; results stay
-	rm -rf build build-native .pytest_cache
+	rm -rf build build-native build-fuzz build-arm build-rev .pytest_cache
+	git worktree prune 2>/dev/null || true  # without git there are none
 	find analysis experiments tests -name __pycache__ -prune -exec rm -rf {} +
 
 .PHONY: distclean

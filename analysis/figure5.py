@@ -49,10 +49,15 @@ def read_world(truth_file: Path) -> tuple[pd.DataFrame, pd.DataFrame]:
     return _read(truth_file, TRUTH_COLUMNS), _read(frames_file, FRAMES_COLUMNS)
 
 
-def worlds_figure(worlds: dict[str, tuple[pd.DataFrame, pd.DataFrame]]) -> Figure:
-    """One panel for each scenario name -> what `read_world` gives; all to the same scale."""
-    panel_width = (PAGE_WIDTH - 0.6) / len(worlds)
-    figure = new_figure(PAGE_WIDTH, 0.9 + panel_width * _height_by_width(worlds))
+def worlds_figure(
+    worlds: dict[str, tuple[pd.DataFrame, pd.DataFrame]], width: float = PAGE_WIDTH
+) -> Figure:
+    """One panel for each scenario name -> what `read_world` gives; all to the same scale.
+
+    `width` of the whole figure [in].
+    """
+    panel_width = (width - 0.6) / len(worlds)
+    figure = new_figure(width, 0.9 + panel_width * _height_by_width(worlds))
     panels = figure.subplots(1, len(worlds), sharex=True, sharey=True, squeeze=False)[0]
     for axes, (scenario, (truth, uav)) in zip(panels, worlds.items()):
         for _, of_object in truth.groupby("id"):
@@ -65,7 +70,7 @@ def worlds_figure(worlds: dict[str, tuple[pd.DataFrame, pd.DataFrame]]) -> Figur
         axes.margins(0.03)
     panels[0].set_ylabel("y (m)")
     _name_colours(panels[0])
-    legend_above(figure, panels[0], columns=4)
+    legend_above(figure, panels[0], columns=4 if width >= PAGE_WIDTH else 2)
     return figure
 
 

@@ -60,6 +60,10 @@ _SCORES = (
     Score(
         "clusters_without_object_per_frame", "clusters without object", "per frame", "lower", 2, 0.1
     ),
+    Score("tracks_per_stay", "tracks", "per stay", "lower", 2, 0.1),
+    Score("track_switches_per_stay", "track switches", "per stay", "lower", 2, 0.1),
+    Score("occlusions_kept_pct", "occlusions with track kept", "%", "higher", 1, 5),
+    Score("hidden_with_cluster_pct", "hidden frames with cluster", "%", "higher", 1, 5),
 )
 
 SCORES = {score.name: score for score in _SCORES}

@@ -21,14 +21,20 @@ class ObjectSeries:
     time: np.ndarray  # (T,) [s]
     truth: np.ndarray  # (T, 3) [m/s], world frame
     estimate: np.ndarray  # (T, 3) [m/s], world frame; NaN where no cluster was matched
+    hidden: np.ndarray  # (T,) True where no ray met it; all False in records that do not say
 
     def error(self) -> np.ndarray:
         """Norm of (estimate - truth), (T,) [m/s]; NaN where there is no estimate."""
         return np.linalg.norm(self.estimate - self.truth, axis=1)
 
+    def hidden_runs(self) -> np.ndarray:
+        """First row and the row after the last of each time in hiding, (K, 2)."""
+        edges = np.diff(self.hidden.astype(int), prepend=0, append=0)
+        return np.flatnonzero(edges).reshape(-1, 2)
+
     def part(self, rows: slice) -> ObjectSeries:
         """The series of these rows alone."""
-        arrays = (self.frame, self.time, self.truth, self.estimate)
+        arrays = (self.frame, self.time, self.truth, self.estimate, self.hidden)
         return ObjectSeries(self.object, self.dynamic, *(array[rows] for array in arrays))
 
 
@@ -78,6 +84,7 @@ def _object(entry: dict, file: Path) -> ObjectSeries:
             time=np.asarray(entry["time_s"], dtype=float).reshape(len(frame)),
             truth=_vectors(entry["true_velocity_mps"], len(frame)),
             estimate=_vectors(entry["velocity_mps"], len(frame)),
+            hidden=~_booleans(entry.get("visible"), len(frame)),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(f"{file}: series: not as experiments/RECORD.md says: {error!r}") from error
@@ -87,3 +94,7 @@ def _vectors(values: list, count: int) -> np.ndarray:
     nothing = [np.nan] * 3
     rows = [nothing if value is None else value for value in values]
     return np.asarray(rows, dtype=float).reshape(count, 3)
+
+
+def _booleans(values: list | None, count: int) -> np.ndarray:
+    return np.asarray([True] * count if values is None else values, dtype=bool).reshape(count)

@@ -6,27 +6,16 @@
 #include <sstream>
 
 #include "baselines/no_clusters.h"
+#include "baselines/octomap_keys.h"
 #include "ldm/log_odds.h"
 #include "ldm/scan_check.h"
 
 namespace baselines {
 namespace {
 
-constexpr int kVoxelsToBorder = 32768;  // of the tree, from the origin: its keys have 16 bits
-
 octomap::point3d to_octomap(const Eigen::Vector3d& p) {
   const Eigen::Vector3f f = p.cast<float>();
   return {f.x(), f.y(), f.z()};
-}
-
-/// The octree numbers its voxels from its border on.
-octomap::OcTreeKey key_of(const ldm::VoxelIndex& v) {
-  const Eigen::Matrix<octomap::key_type, 3, 1> key =
-      (v.array() + kVoxelsToBorder).cast<octomap::key_type>();
-  return {key.x(), key.y(), key.z()};
-}
-ldm::VoxelIndex voxel_of(const octomap::OcTreeKey& key) {
-  return ldm::VoxelIndex(key[0], key[1], key[2]).array() - kVoxelsToBorder;
 }
 
 }  // namespace

@@ -65,13 +65,17 @@ void CsvWriter::close() {
   if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written: disk full?");
 }
 
-CsvReader::CsvReader(const std::filesystem::path& file, std::string_view header)
+CsvReader::CsvReader(const std::filesystem::path& file)
     : file_(file.string()), stream_(file, std::ios::binary) {
   if (!stream_) {
     throw ldm::InvalidInput(file_ + ": cannot be read (" + std::strerror(errno) + ")");
   }
-  for (const std::string_view column : split(header)) columns_.emplace_back(column);
-  if (!read_line() || line_ != header) reject("allowed as first line: " + std::string(header));
+  if (!read_line()) reject("the file is empty; allowed: the names of the columns");
+  for (const std::string_view column : split(line_)) columns_.emplace_back(column);
+}
+
+CsvReader::CsvReader(const std::filesystem::path& file, std::string_view header) : CsvReader(file) {
+  if (line_ != header) reject("allowed as first line: " + std::string(header));
 }
 
 bool CsvReader::read_line() {
@@ -82,6 +86,7 @@ bool CsvReader::read_line() {
   }
   // Without its end, a line may have lost the last digits of its last number.
   if (stream_.eof()) reject("the file ends in the middle of this line");
+  if (line_.ends_with('\r')) line_.pop_back();  // of other systems and of spreadsheets
   return true;
 }
 

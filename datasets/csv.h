@@ -36,7 +36,12 @@ class CsvReader {
  public:
   /// @throws ldm::InvalidInput if the file cannot be read or its first line is not `header`.
   CsvReader(const std::filesystem::path& file, std::string_view header);
+  /// With the columns that its first line names, in any order.
+  explicit CsvReader(const std::filesystem::path& file);
 
+  const std::vector<std::string>& columns() const { return columns_; }
+  /// Let the next value of the row be that of a column, by its position.
+  void go_to(std::size_t column) { next_ = column; }
   /// False at the end of the file.
   /// @throws ldm::InvalidInput on a row of another length than the header, or cut short.
   bool next_row();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/input_counts.h"
 #include "ldm/types.h"
 
 namespace datasets {
@@ -52,6 +53,8 @@ class FrameSource {
   virtual bool next(Frame& frame) = 0;
   /// Number of frames in all, where known beforehand.
   virtual std::optional<std::int64_t> size() const = 0;
+  /// What was left out until now; of a scenario or a log of our own, nothing.
+  virtual InputCounts counts() const { return {}; }
 };
 
 /// Which object owns each voxel of `window`: position in `truth.objects`, or -1 for free space.

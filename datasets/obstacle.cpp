@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "datasets/quaternion_pose.h"
 #include "datasets/solid_bounds.h"
@@ -37,6 +39,40 @@ double reach(const Solid& solid) {
   return offset + half.head<2>().norm();
 }
 
+/// A leg turned about its upper end, its foot forward for angles above 0.
+void swing(Solid& leg, double angle) {
+  const Eigen::Vector3d below_hip(0, 0, -leg.size.z() / 2);
+  const Eigen::Vector3d hip = leg.T_world_solid.translation - below_hip;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  leg.T_world_solid = {turn, hip + turn * below_hip};
+}
+
+void swing_legs(const Gait& gait, const MotionState& moved, std::vector<Solid>& solids) {
+  const double phase = 2 * std::numbers::pi * moved.walked / gait.stride + gait.phase;
+  const double angle = gait.widest * moved.pace * std::sin(phase);
+  swing(solids[gait.left_leg], angle);
+  swing(solids[gait.right_leg], -angle);
+}
+
+/// Makes a person walk. A foot reaches a quarter of a stride before and behind the hip.
+void add_gait(const ObstacleGroup& group, Random& random, ObstacleBody& body) {
+  Gait gait;
+  gait.stride = random.uniform(group.stride);
+  gait.phase = random.uniform(-std::numbers::pi, std::numbers::pi);
+  gait.left_leg = body.solids.size() - 2;
+  gait.right_leg = body.solids.size() - 1;
+  const Solid& leg = body.solids[gait.left_leg];
+  gait.widest = std::atan(gait.stride / 4 / leg.size.z());
+  Solid swung = leg;
+  swing(swung, gait.widest);
+  const Eigen::Vector3d& centre = swung.T_world_solid.translation;
+  const Eigen::Vector3d half = half_extent(swung);
+  body.radius = std::max(
+      body.radius, std::hypot(std::abs(centre.x()) + half.x(), std::abs(centre.y()) + half.y()));
+  body.gait = gait;
+}
+
 }  // namespace
 
 ObstacleBody draw_body(const ObstacleGroup& group, Random& random) {
@@ -54,10 +90,12 @@ ObstacleBody draw_body(const ObstacleGroup& group, Random& random) {
           upright(Solid::Shape::kCylinder, Eigen::Vector3d::Zero(), {width, width, height})};
       break;
     case ObstacleShape::kPerson:
+    case ObstacleShape::kWalker:
       body.solids = person(width, height);
       break;
   }
   for (const Solid& solid : body.solids) body.radius = std::max(body.radius, reach(solid));
+  if (group.shape == ObstacleShape::kWalker) add_gait(group, random, body);
   return body;
 }
 
@@ -73,6 +111,7 @@ void Obstacle::state_at(double t, ObjectState& state) const {
       Eigen::Vector3d(moved.position.x(), moved.position.y(), bottom + body.height / 2)};
   state.position = T_world_obstacle.translation;
   state.solids = body.solids;
+  if (body.gait) swing_legs(*body.gait, moved, state.solids);
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();
   for (Solid& solid : state.solids) {
     solid.T_world_solid = composed(T_world_obstacle, solid.T_world_solid);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "datasets/timetable.h"
+
 namespace datasets {
 namespace {
 
@@ -69,7 +71,7 @@ MotionState ObstacleMotion::at(double t) const {
   if (elapsed < ramp) {
     along = leg.acceleration * elapsed * elapsed / 2;
     speed = leg.acceleration * elapsed;
-    acceleration = leg.acceleration;
+    acceleration = t < leg.start ? 0 : leg.acceleration;
   } else if (remaining < ramp) {
     along = leg.length - leg.acceleration * remaining * remaining / 2;
     speed = leg.acceleration * remaining;
@@ -79,8 +81,12 @@ MotionState ObstacleMotion::at(double t) const {
     along = speed * (elapsed - ramp / 2);
   }
 
-  MotionState state{leg.from + along * leg.direction, speed * leg.direction,
-                    acceleration * leg.direction, azimuth(leg.direction)};
+  MotionState state{leg.from + along * leg.direction,
+                    speed * leg.direction,
+                    acceleration * leg.direction,
+                    azimuth(leg.direction),
+                    along,
+                    speed / (leg.acceleration * ramp)};
   const double rested = t - leg.start - travel;
   if (rested > 0 && after != legs_.end()) {
     state.heading = turned(state.heading, azimuth(after->direction), rested / leg.pause);
@@ -88,11 +94,20 @@ MotionState ObstacleMotion::at(double t) const {
   return state;
 }
 
+double ObstacleMotion::top_speed() const {
+  double fastest = 0;
+  for (const Leg& leg : legs_) fastest = std::max(fastest, leg.acceleration * leg.ramp_time());
+  return fastest;
+}
+
 ObstacleMotion draw_motion(const ObstacleGroup& group, const Eigen::Vector2d& area,
                            double speed_scale, double duration, Random& random) {
   if (group.motion == ObstacleMotionKind::kStatic) {
     const Eigen::Vector2d position = draw_point(area, random);
     return {position, random.uniform(-std::numbers::pi, std::numbers::pi)};
+  }
+  if (group.motion == ObstacleMotionKind::kTimetable) {
+    return draw_timetable_motion(group, speed_scale, random);
   }
   const std::vector<Eigen::Vector2d> corners = draw_polyline(group, area, random);
   const double acceleration = random.uniform(group.acceleration) * speed_scale * speed_scale;

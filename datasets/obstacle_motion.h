@@ -1,6 +1,5 @@
 #pragma once
-/// Motion of an obstacle: back and forth along a polyline in the xy plane (paper Sec. 4.1.1, Fig.
-/// 5).
+/// Motion of an obstacle: legs in the xy plane, from rest to rest (paper Sec. 4.1.1, Fig. 5).
 #include <vector>
 
 #include "datasets/random.h"
@@ -14,6 +13,8 @@ struct MotionState {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();      ///< [m/s]
   Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();  ///< [m/s^2]
   double heading = 0;                                      ///< [rad]
+  double walked = 0;                                       ///< since the leg began [m]
+  double pace = 0;  ///< share of the speed reached on this leg, 0 to 1
 };
 
 /// From rest to rest along a straight line, with a trapezoidal speed profile; then a rest.
@@ -41,6 +42,7 @@ class ObstacleMotion {
   /// from the direction of the leg behind it to that of the leg ahead.
   MotionState at(double t) const;
   bool is_static() const { return legs_.empty(); }
+  double top_speed() const;  ///< never exceeded [m/s]
 
  private:
   MotionState rest_;  ///< of a static obstacle

@@ -1,89 +1,33 @@
 #include "datasets/picture.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "datasets/label_placer.h"
 #include "datasets/picture_axes.h"
-#include "datasets/picture_canvas.h"
+#include "datasets/picture_solids.h"
 
 namespace datasets {
 namespace {
 
 using Align = PictureCanvas::Align;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
-constexpr Colour kText{25, 25, 25}, kShadow{226, 226, 226}, kArrow{205, 0, 0}, kUav{40, 48, 66};
-constexpr Colour kPoint{20, 20, 20}, kPointOutside{185, 185, 185};
+constexpr Colour kText{25, 25, 25};
 
-/// A quadrotor, 0.8 m across for scale 1.
-void draw_uav(const ldm::Pose& T_world_uav, double scale, PictureCanvas& canvas) {
-  canvas.ball(T_world_uav.translation, 0.13 * scale, kUav);
-  for (const double x : {-0.21, 0.21}) {
-    for (const double y : {-0.21, 0.21}) {
-      const Vector3d rotor = T_world_uav * (scale * Vector3d(x, y, 0.05));
-      canvas.disc({T_world_uav.rotation, rotor}, 0.15 * scale, kUav);
-    }
-  }
-}
-
-class Drawing {
+/// The words and the legend.
+class Words {
  public:
-  Drawing(const Picture& picture, PictureCanvas& canvas)
-      : picture_(picture),
-        canvas_(canvas),
-        scale_(std::sqrt(std::max(1.0, picture.border.sizes().maxCoeff() / 5))) {}
+  Words(const Picture& picture, PictureCanvas& canvas) : picture_(picture), canvas_(canvas) {}
 
+  /// At the places where the picture's camera sees what they belong to.
   void draw() {
-    draw_axes(picture_.border, canvas_);
-    draw_cubes();
-    draw_points();
-    draw_arrows();
-    draw_uav(picture_.T_world_uav, scale_, canvas_);
+    draw_numbers(picture_.border, canvas_);
+    draw_labels();
     draw_heading();
     draw_legend();
   }
 
  private:
-  void draw_cubes() {
-    for (const Picture::Cube& cube : picture_.cubes) {
-      Vector3d centre = cube.centre.cast<double>();
-      canvas_.cube(centre, picture_.cube_edge, cube.colour);
-      centre.z() = picture_.border.min().z() - 0.002;  // below the lines of the grid
-      canvas_.square(centre, picture_.cube_edge, kShadow);
-    }
-  }
-
-  void draw_points() {
-    for (const ldm::Point& point : picture_.points) {
-      const Vector3d p = point.cast<double>();
-      canvas_.dot(p, picture_.border.contains(p) ? kPoint : kPointOutside);
-    }
-  }
-
-  void draw_arrows() {
-    LabelPlacer placer;
-    const Vector2d uav = canvas_.camera().pixel(picture_.T_world_uav.translation);
-    placer.keep_clear({uav - Vector2d(40, 25), uav + Vector2d(40, 25)});
-    for (const Picture::Arrow& arrow : picture_.arrows) {
-      canvas_.arrow(arrow.from.cast<double>(), arrow.to.cast<double>(), 0.075 * scale_, kArrow);
-      placer.keep_clear(on_image(arrow));
-    }
-    for (const Picture::Arrow& arrow : picture_.arrows) {
-      constexpr double kSize = 19, kLetterHeight = 14;
-      const Vector2d size(canvas_.width(arrow.label, kSize), kLetterHeight);
-      const Eigen::AlignedBox2d place = placer.place(size, on_image(arrow));
-      canvas_.words({place.min().x(), place.max().y()}, kSize, arrow.label, Align::kLeft, kArrow);
-    }
-  }
-
-  Eigen::AlignedBox2d on_image(const Picture::Arrow& arrow) const {
-    Eigen::AlignedBox2d box(canvas_.camera().pixel(arrow.from.cast<double>()));
-    return box.extend(canvas_.camera().pixel(arrow.to.cast<double>()));
-  }
-
   void draw_heading() {
     Vector2d at(24, 40);
     for (const std::string& line : picture_.heading) {
@@ -91,6 +35,25 @@ class Drawing {
       canvas_.words(at, first ? 25 : 20, line, Align::kLeft, kText);
       at.y() += first ? 32 : 27;
     }
+  }
+
+  void draw_labels() {
+    LabelPlacer placer;
+    const Vector2d uav = canvas_.camera().pixel(picture_.T_world_uav.translation);
+    placer.keep_clear({uav - Vector2d(40, 25), uav + Vector2d(40, 25)});
+    for (const Picture::Arrow& arrow : picture_.arrows) placer.keep_clear(on_image(arrow));
+    for (const Picture::Arrow& arrow : picture_.arrows) {
+      constexpr double kSize = 19, kLetterHeight = 14;
+      const Vector2d size(canvas_.width(arrow.label, kSize), kLetterHeight);
+      const Eigen::AlignedBox2d place = placer.place(size, on_image(arrow));
+      canvas_.words({place.min().x(), place.max().y()}, kSize, arrow.label, Align::kLeft,
+                    kArrowColour);
+    }
+  }
+
+  Eigen::AlignedBox2d on_image(const Picture::Arrow& arrow) const {
+    Eigen::AlignedBox2d box(canvas_.camera().pixel(arrow.from.cast<double>()));
+    return box.extend(canvas_.camera().pixel(arrow.to.cast<double>()));
   }
 
   /// Symbols are small solids between camera and map.
@@ -113,11 +76,11 @@ class Drawing {
       explain(key.text);
     }
     if (!picture_.arrow_key.empty()) {
-      canvas_.arrow(at(30), at(82), 7 * pixel, kArrow);
+      canvas_.arrow(at(30), at(82), 7 * pixel, kArrowColour);
       explain(picture_.arrow_key);
     }
-    for (const double column : {34.0, 39.0, 44.0, 49.0}) canvas_.dot(at(column), kPoint);
-    for (const double column : {61.0, 66.0, 71.0, 76.0}) canvas_.dot(at(column), kPointOutside);
+    for (const double column : {34.0, 39.0, 44.0, 49.0}) canvas_.dot(at(column), kPointColour);
+    for (const double column : {61.0, 66.0, 71.0, 76.0}) canvas_.dot(at(column), kOutsideColour);
     explain("LiDAR returns (outside: grey)");
     draw_uav({picture_.T_world_uav.rotation, at(55)}, 60 * pixel, canvas_);
     explain("UAV");
@@ -125,8 +88,12 @@ class Drawing {
 
   const Picture& picture_;
   PictureCanvas& canvas_;
-  double scale_;  // of arrows and UAV: they stay visible in a large map
 };
+
+void draw(const Picture& picture, PictureCanvas& canvas) {
+  draw_solids(picture, canvas);
+  Words(picture, canvas).draw();
+}
 
 }  // namespace
 
@@ -138,8 +105,14 @@ PictureCamera camera_of(const Picture& picture) {
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {
   PictureCanvas canvas(camera_of(picture));
-  Drawing(picture, canvas).draw();
+  draw(picture, canvas);
   canvas.write_png(file);
+}
+
+std::vector<std::uint8_t> pixels(const Picture& picture) {
+  PictureCanvas canvas(camera_of(picture));
+  draw(picture, canvas);
+  return canvas.pixels();
 }
 
 }  // namespace datasets

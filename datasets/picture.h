@@ -55,4 +55,7 @@ PictureCamera camera_of(const Picture& picture);
 /// @throws ldm::InvalidInput if the file cannot be written, std::runtime_error if there is no EGL.
 void write_png(const Picture& picture, const std::filesystem::path& file);
 
+/// The same as pixels: rows from the top, each of kWidth times red, green, blue.
+std::vector<std::uint8_t> pixels(const Picture& picture);
+
 }  // namespace datasets

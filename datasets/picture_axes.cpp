@@ -19,11 +19,17 @@ class Axes {
   Axes(const Eigen::AlignedBox3d& border, PictureCanvas& canvas)
       : border_(border), canvas_(canvas), step_(grid_step(border.sizes().maxCoeff())) {}
 
-  void draw() {
-    const Vector3d camera = canvas_.camera().T_world_camera().translation;
-    for (const int axis : {0, 1}) draw_floor(axis, camera(1 - axis) < border_.center()(1 - axis));
-    draw_height();
+  void draw_grid() {
+    for (const int axis : {0, 1}) draw_lines(axis);
     canvas_.box(border_, kBorder);
+  }
+
+  void draw_numbers() {
+    const Vector3d camera = canvas_.camera().T_world_camera().translation;
+    for (const int axis : {0, 1}) {
+      draw_floor_numbers(axis, camera(1 - axis) < border_.center()(1 - axis));
+    }
+    draw_height();
   }
 
  private:
@@ -50,8 +56,18 @@ class Axes {
     return text;
   }
 
-  /// Lines across the floor where the axis has whole steps, with numbers along its nearer edge.
-  void draw_floor(int axis, bool nearer_is_low) {
+  /// Across the floor, where the axis has whole steps.
+  void draw_lines(int axis) {
+    for_each_step(axis, [&](double value) {
+      Vector3d from = border_.min(), to = border_.min();
+      from(axis) = to(axis) = value;
+      to(1 - axis) = border_.max()(1 - axis);
+      canvas_.line(from, to, kGrid);
+    });
+  }
+
+  /// Along the nearer edge of the floor.
+  void draw_floor_numbers(int axis, bool nearer_is_low) {
     const int across = 1 - axis;
     const double margin = 0.05 * border_.sizes().maxCoeff();
     const auto beside = [&](double along, double distance) {
@@ -62,10 +78,6 @@ class Axes {
       return Vector2d(canvas_.camera().pixel(p) + Vector2d(0, kHalfLetter));
     };
     for_each_step(axis, [&](double value) {
-      Vector3d from = border_.min(), to = border_.min();
-      from(axis) = to(axis) = value;
-      to(across) = border_.max()(across);
-      canvas_.line(from, to, kGrid);
       canvas_.words(beside(value, margin), kNumberSize, number(value), Align::kCentre, kText);
     });
     const Vector2d name = beside(border_.center()(axis), 3 * margin);
@@ -100,8 +112,12 @@ class Axes {
 
 }  // namespace
 
-void draw_axes(const Eigen::AlignedBox3d& border, PictureCanvas& canvas) {
-  Axes(border, canvas).draw();
+void draw_grid(const Eigen::AlignedBox3d& border, PictureCanvas& canvas) {
+  Axes(border, canvas).draw_grid();
+}
+
+void draw_numbers(const Eigen::AlignedBox3d& border, PictureCanvas& canvas) {
+  Axes(border, canvas).draw_numbers();
 }
 
 }  // namespace datasets

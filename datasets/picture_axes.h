@@ -4,7 +4,10 @@
 
 namespace datasets {
 
-/// @param border of the map; its floor is its lower face
-void draw_axes(const Eigen::AlignedBox3d& border, PictureCanvas& canvas);
+/// The border's edges, and lines on its lower face.
+void draw_grid(const Eigen::AlignedBox3d& border, PictureCanvas& canvas);
+
+/// What the lines stand for: coordinates beside the border [m].
+void draw_numbers(const Eigen::AlignedBox3d& border, PictureCanvas& canvas);
 
 }  // namespace datasets

@@ -24,7 +24,6 @@ using Eigen::Vector3d;
 using mrpt::img::CImage;
 using mrpt::img::TColor;
 
-constexpr int kFine = 2;  // drawn so many times larger and then reduced, which smooths edges
 constexpr double kCubeOpacity = 0.72;
 constexpr Colour kCubeEdge{60, 60, 60};
 constexpr double kDotSize = 2;  // [pixel]
@@ -50,12 +49,12 @@ mrpt::poses::CPose3D mrpt_pose(const ldm::Pose& pose) {
   return mrpt::poses::CPose3D(T);
 }
 
-mrpt::opengl::CCamera mrpt_camera(const PictureCamera& camera) {
+mrpt::opengl::CCamera mrpt_camera(const PictureCamera& camera, int fine) {
   mrpt::img::TCamera pinhole;
-  pinhole.ncols = kFine * Picture::kWidth;
-  pinhole.nrows = kFine * Picture::kHeight;
-  const Vector2d centre = kFine * camera.principal_point();
-  const double focal_length = kFine * camera.focal_length();
+  pinhole.ncols = static_cast<uint32_t>(fine) * Picture::kWidth;
+  pinhole.nrows = static_cast<uint32_t>(fine) * Picture::kHeight;
+  const Vector2d centre = fine * camera.principal_point();
+  const double focal_length = fine * camera.focal_length();
   pinhole.setIntrinsicParamsFromValues(focal_length, focal_length, centre.x(), centre.y());
   mrpt::opengl::CCamera result;
   result.setProjectiveFromPinhole(pinhole);
@@ -80,10 +79,10 @@ void for_each_edge(const Eigen::AlignedBox3d& box, Draw&& draw) {
   }
 }
 
-std::unique_ptr<mrpt::opengl::CFBORender> make_renderer() {
+std::unique_ptr<mrpt::opengl::CFBORender> make_renderer(int fine) {
   try {
-    return std::make_unique<mrpt::opengl::CFBORender>(kFine * Picture::kWidth,
-                                                      kFine * Picture::kHeight);
+    return std::make_unique<mrpt::opengl::CFBORender>(fine * Picture::kWidth,
+                                                      fine * Picture::kHeight);
   } catch (const std::exception&) {  // MRPT's words are for its own authors
     throw std::runtime_error(
         "cannot draw: EGL offers no device; Debian's libegl1 and libgl1-mesa-dri have one");
@@ -108,7 +107,7 @@ void blend(CImage& top, const CImage& bottom, double opacity) {
 /// MRPT's objects: one for all cubes, and one for all dots or lines of a look.
 class PictureCanvas::Scene {
  public:
-  explicit Scene(double depth) {
+  Scene(double depth, int fine) : fine_(fine) {
     view().setViewportClipDistances(static_cast<float>(0.2 * depth),
                                     static_cast<float>(10 * depth));
     view().setCustomBackgroundColor({1.0F, 1.0F, 1.0F});
@@ -123,10 +122,10 @@ class PictureCanvas::Scene {
     cubes_->enableLights(true);
     cube_edges_->setColor_u8(mrpt_colour(kCubeEdge));
     squares_->enableLight(false);
-    scene_.insert(squares_);
+    scene_->insert(squares_);
   }
 
-  mrpt::opengl::COpenGLViewport& view() { return *scene_.getViewport(); }
+  mrpt::opengl::COpenGLViewport& view() { return *scene_->getViewport(); }
   mrpt::opengl::COctoMapVoxels& cubes() { return *cubes_; }
   mrpt::opengl::CSetOfLines& cube_edges() { return *cube_edges_; }
   mrpt::opengl::CSetOfTriangles& squares() { return *squares_; }
@@ -134,7 +133,7 @@ class PictureCanvas::Scene {
   template <class Object>
   void insert(const std::shared_ptr<Object>& object, const Colour& colour) {
     object->setColor_u8(mrpt_colour(colour));
-    scene_.insert(object);
+    scene_->insert(object);
   }
 
   mrpt::opengl::CPointCloud& dots(const Colour& colour) {
@@ -142,7 +141,7 @@ class PictureCanvas::Scene {
     if (!dots) {
       dots = mrpt::opengl::CPointCloud::Create();
       dots->enableVariablePointSize(false);
-      dots->setPointSize(static_cast<float>(kDotSize * kFine));
+      dots->setPointSize(static_cast<float>(kDotSize * fine_));
       insert(dots, colour);
     }
     return *dots;
@@ -164,8 +163,7 @@ class PictureCanvas::Scene {
 
   CImage draw(const PictureCamera& camera) {
     CImage below = render(camera);
-    scene_.insert(cubes_);
-    scene_.insert(cube_edges_);
+    insert_cubes();
     CImage above = render(camera);
     // MRPT's own translucent objects hide what happens to be drawn after them.
     blend(above, below, kCubeOpacity);
@@ -174,17 +172,28 @@ class PictureCanvas::Scene {
     return reduced;
   }
 
+  mrpt::opengl::COpenGLScene::Ptr take() {
+    insert_cubes();
+    return std::move(scene_);
+  }
+
  private:
+  void insert_cubes() {
+    scene_->insert(cubes_);
+    scene_->insert(cube_edges_);
+  }
+
   CImage render(const PictureCamera& camera) {
     // MRPT draws with the first renderer of a process only.
-    static const std::unique_ptr<mrpt::opengl::CFBORender> renderer = make_renderer();
-    renderer->setCamera(scene_, mrpt_camera(camera));
+    static const std::unique_ptr<mrpt::opengl::CFBORender> renderer = make_renderer(fine_);
+    renderer->setCamera(*scene_, mrpt_camera(camera, fine_));
     CImage image;
-    renderer->render_RGB(scene_, image);
+    renderer->render_RGB(*scene_, image);
     return image;
   }
 
-  mrpt::opengl::COpenGLScene scene_;
+  int fine_;
+  mrpt::opengl::COpenGLScene::Ptr scene_ = mrpt::opengl::COpenGLScene::Create();
   mrpt::opengl::COctoMapVoxels::Ptr cubes_ = mrpt::opengl::COctoMapVoxels::Create();
   mrpt::opengl::CSetOfLines::Ptr cube_edges_ = mrpt::opengl::CSetOfLines::Create();
   mrpt::opengl::CSetOfTriangles::Ptr squares_ = mrpt::opengl::CSetOfTriangles::Create();
@@ -193,8 +202,8 @@ class PictureCanvas::Scene {
   std::size_t number_of_texts_ = 0;
 };
 
-PictureCanvas::PictureCanvas(const PictureCamera& camera)
-    : camera_(camera), scene_(std::make_unique<Scene>(camera.depth())) {}
+PictureCanvas::PictureCanvas(const PictureCamera& camera, int fine)
+    : camera_(camera), fine_(fine), scene_(std::make_unique<Scene>(camera.depth(), fine)) {}
 
 PictureCanvas::~PictureCanvas() = default;
 
@@ -266,11 +275,11 @@ void PictureCanvas::words(const Vector2d& at, double size, const std::string& te
   const double shift = align == Align::kLeft ? 0 : align == Align::kCentre ? 0.5 : 1;
   // MRPT counts from the lower left corner, and takes less than one pixel for a share of the image.
   const Vector2d begin =
-      kFine * Vector2d(at.x() - shift * width(text, size), Picture::kHeight - at.y());
+      fine_ * Vector2d(at.x() - shift * width(text, size), Picture::kHeight - at.y());
   if ((begin.array() < 1).any()) return;
   mrpt::opengl::TFontParams font;
   font.vfont_name = kFont;
-  font.vfont_scale = static_cast<float>(size * kFine);
+  font.vfont_scale = static_cast<float>(size * fine_);
   font.color = mrpt::img::TColorf(mrpt_colour(colour));
   scene_->add_text(begin, text, font);
   mrpt::opengl::TFontParams halo = font;  // stays behind what was drawn before in the same plane
@@ -285,6 +294,23 @@ void PictureCanvas::write_png(const std::filesystem::path& file) {
   if (scene_->draw(camera_).saveToFile(file.string())) return;
   throw ldm::InvalidInput(file.string() +
                           ": cannot be written: allowed: FILE.png in an existing folder");
+}
+
+std::vector<std::uint8_t> PictureCanvas::pixels() {
+  const CImage image = scene_->draw(camera_);
+  std::vector<std::uint8_t> result;
+  result.reserve(3 * image.getWidth() * image.getHeight());
+  for (unsigned row = 0; row < image.getHeight(); ++row) {
+    const auto* bgr = image.ptrLine<std::uint8_t>(row);
+    for (std::size_t i = 0; i < 3 * image.getWidth(); i += 3) {
+      result.insert(result.end(), {bgr[i + 2], bgr[i + 1], bgr[i]});
+    }
+  }
+  return result;
+}
+
+std::shared_ptr<mrpt::opengl::COpenGLScene> PictureCanvas::take_scene() {
+  return scene_->take();
 }
 
 }  // namespace datasets

@@ -6,6 +6,10 @@
 
 #include "datasets/picture.h"
 
+namespace mrpt::opengl {
+class COpenGLScene;
+}
+
 namespace datasets {
 
 /// World coordinates in metres; words in pixels.
@@ -13,7 +17,9 @@ class PictureCanvas {
  public:
   enum class Align { kLeft, kCentre, kRight };
 
-  explicit PictureCanvas(const PictureCamera& camera);
+  /// @param fine what is drawn off screen is so many times larger and then reduced, which smooths
+  ///   edges; 1 for a window
+  explicit PictureCanvas(const PictureCamera& camera, int fine = 2);
   ~PictureCanvas();
   PictureCanvas(const PictureCanvas&) = delete;
   PictureCanvas& operator=(const PictureCanvas&) = delete;
@@ -44,10 +50,15 @@ class PictureCanvas {
 
   /// @throws as the free function write_png.
   void write_png(const std::filesystem::path& file);
+  /// See the free function pixels.
+  std::vector<std::uint8_t> pixels();
+  /// What was drawn, for MRPT's window; nothing may be drawn afterwards.
+  std::shared_ptr<mrpt::opengl::COpenGLScene> take_scene();
 
  private:
   class Scene;
   PictureCamera camera_;
+  int fine_;
   std::unique_ptr<Scene> scene_;
 };
 

@@ -30,4 +30,9 @@ inline ldm::Pose composed(const ldm::Pose& T_a_b, const ldm::Pose& T_b_c) {
   return {T_a_b.rotation * T_b_c.rotation, T_a_b * T_b_c.translation};
 }
 
+/// T_b_a.
+inline ldm::Pose inverse(const ldm::Pose& T_a_b) {
+  return {T_a_b.rotation.transpose(), -(T_a_b.rotation.transpose() * T_a_b.translation)};
+}
+
 }  // namespace datasets

@@ -2,54 +2,18 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
-#include <mrpt/serialization/CArchive.h>
-#include <zlib.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
+#include "datasets/gz_archive.h"
 #include "datasets/rawlog.h"
 #include "datasets/rawlog_labels.h"
 #include "datasets/rawlog_sidecars.h"
 
 namespace datasets {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// Reads MRPT's objects from a gz file. MRPT's own input stream has no word for a short read and
-/// hides a broken checksum; hence zlib's functions.
-class GzArchive final : public mrpt::serialization::CArchive {
- public:
-  explicit GzArchive(const fs::path& file) : gz_(gzopen(file.c_str(), "rb"), gzclose) {
-    if (!gz_) throw ldm::InvalidInput(file.string() + ": cannot be read");
-  }
-
-  /// True if the file ends here and its checksum is right.
-  bool at_good_end() {
-    char byte = 0;
-    if (gzread(gz_.get(), &byte, 1) != 0) return false;
-    int error = Z_OK;
-    gzerror(gz_.get(), &error);
-    return error == Z_OK;
-  }
-  std::string getArchiveDescription() const override { return "recorded log"; }
-
- private:
-  std::size_t read(void* buffer, std::size_t count) override {
-    // gzfread, unlike gzread, takes sizes beyond an int.
-    if (gzfread(buffer, 1, count, gz_.get()) != count) throw std::runtime_error("short read");
-    return count;
-  }
-  std::size_t write(const void*, std::size_t) override {
-    throw std::logic_error("this archive is for reading");
-  }
-
-  std::unique_ptr<gzFile_s, int (*)(gzFile)> gz_;
-};
-
-}  // namespace
 
 class RawlogReader::Log {
  public:
@@ -96,13 +60,9 @@ class RawlogReader::Log {
   /// The next observation, which must be of that class and label.
   template <class Observation>
   std::shared_ptr<Observation> read(const std::string& label) {
-    std::shared_ptr<Observation> observation;
-    try {
-      observation = std::dynamic_pointer_cast<Observation>(archive_.ReadObject());
-    } catch (const std::exception&) {
-      // What MRPT says here are several lines about its own source files.
-      reject("the log is cut short or damaged");
-    }
+    const auto object = archive_.read_object();
+    if (!object) reject("the log is cut short or damaged");
+    auto observation = std::dynamic_pointer_cast<Observation>(object);
     if (!observation || observation->sensorLabel != label) {
       reject("another observation than the expected one of `" + label + "`");
     }
@@ -131,7 +91,9 @@ class RawlogReader::Log {
 
   void check_end() {
     sidecars_.check_end();
-    if (!archive_.at_good_end()) reject("the log goes on after its last frame or is damaged");
+    if (archive_.place() != GzArchive::Place::kGoodEnd) {
+      reject("the log goes on after its last frame or is damaged");
+    }
   }
 
   [[noreturn]] void reject(const std::string& message) const {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <set>
-#include <type_traits>
 
-#include "datasets/toml_node.h"
+#include "datasets/scenario_value.h"
+#include "datasets/timetable.h"
 #include "datasets/toml_reader.h"
 
 namespace datasets {
@@ -26,7 +25,15 @@ void visit_group(Group& g, Visitor& visit) {
   visit(at + "width_m", g.width, 0.05, 10);
   visit(at + "height_m", g.height, 0.05, 10);
   visit(at + "bottom_m", g.bottom, -10, 10);
+  if (g.shape == ObstacleShape::kWalker) visit(at + "stride_m", g.stride, 0.2, 3);
   if (g.motion == ObstacleMotionKind::kStatic) return;
+  if (g.motion == ObstacleMotionKind::kTimetable) {
+    visit(at + "timetable_s_m", g.timetable, -500, 500);
+    visit(at + "acceleration_mps2", g.acceleration, 0.01, 20);
+    visit(at + "spread_m", g.spread, 0, 10);
+    visit(at + "lateness_s", g.lateness, 0, 60);
+    return;
+  }
   visit(at + "legs", g.legs, 1, 100);
   visit(at + "leg_m", g.leg, 0.1, 1000);
   visit(at + "speed_mps", g.speed, 0.01, 20);
@@ -34,16 +41,27 @@ void visit_group(Group& g, Visitor& visit) {
   visit(at + "pause_s", g.pause, 0, 60);
 }
 
+template <class Flight, class Visitor>
+void visit_flight(Flight& uav, Visitor& visit) {
+  if (uav.kind == FlightKind::kTimetable) {
+    visit("uav.timetable_s_m", uav.timetable, -500, 500);
+    visit("uav.spread_m", uav.spread, 0, 10);
+    visit("uav.drift_m", uav.drift, 0, 1);
+  } else {
+    visit("uav.waypoints", uav.waypoints, 2, 10000);
+    visit("uav.leg_m", uav.leg, 0, 1000);
+    visit("uav.height_m", uav.height, -100, 100);
+    visit("uav.max_speed_mps", uav.max_speed, 0.1, 50);
+    visit("uav.max_acceleration_mps2", uav.max_acceleration, 0.1, 50);
+  }
+  visit("uav.clearance_m", uav.clearance, 0, 10);
+}
+
 template <class S, class Visitor>
 void visit_scenario(S& s, Visitor&& visit) {
   visit("frames", s.frames, 1, 1000000);
   visit("area.size_m", s.area, 1, 1000);
-  visit("uav.waypoints", s.uav.waypoints, 2, 10000);
-  visit("uav.leg_m", s.uav.leg, 0, 1000);
-  visit("uav.height_m", s.uav.height, -100, 100);
-  visit("uav.max_speed_mps", s.uav.max_speed, 0.1, 50);
-  visit("uav.max_acceleration_mps2", s.uav.max_acceleration, 0.1, 50);
-  visit("uav.clearance_m", s.uav.clearance, 0, 10);
+  visit_flight(s.uav, visit);
   visit("sensor.channels", s.sensor.channels, 1, 1024);
   visit("sensor.elevation_deg", s.sensor.elevation, -90, 90);
   visit("sensor.azimuths", s.sensor.azimuths, 4, 65536);
@@ -55,75 +73,6 @@ void visit_scenario(S& s, Visitor&& visit) {
   visit("obstacles.gap_m", s.obstacle_gap, 0, 100);
   visit("obstacles.speed_scale", s.speed_scale, 0.01, 100);
   for (auto& group : s.groups) visit_group(group, visit);
-}
-
-// A value as numbers, and back.
-template <class T>
-inline constexpr std::size_t kSize = 1;
-template <>
-inline constexpr std::size_t kSize<Interval> = 2;
-template <int N>
-inline constexpr std::size_t kSize<Eigen::Matrix<double, N, 1>> = N;
-
-std::vector<double> numbers_of(double value) {
-  return {value};
-}
-std::vector<double> numbers_of(std::int64_t value) {
-  return {static_cast<double>(value)};
-}
-std::vector<double> numbers_of(const Interval& value) {
-  return {value.min, value.max};
-}
-std::vector<double> numbers_of(const Eigen::Vector2d& value) {
-  return {value.x(), value.y()};
-}
-std::vector<double> numbers_of(const Eigen::Vector3d& value) {
-  return {value.x(), value.y(), value.z()};
-}
-void assign(const std::vector<double>& numbers, double& value) {
-  value = numbers[0];
-}
-void assign(const std::vector<double>& numbers, std::int64_t& value) {
-  value = static_cast<std::int64_t>(numbers[0]);
-}
-void assign(const std::vector<double>& numbers, Interval& value) {
-  value = {numbers[0], numbers[1]};
-}
-template <int N>
-void assign(const std::vector<double>& numbers, Eigen::Matrix<double, N, 1>& value) {
-  value = Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers.data());
-}
-
-template <class T>
-std::string allowed_text(double min, double max) {
-  if constexpr (std::is_same_v<T, double>) return within("a number", Numbers{min, max});
-  if constexpr (std::is_same_v<T, std::int64_t>) {
-    return within("an integer", Integers{std::llround(min), std::llround(max)});
-  }
-  if constexpr (std::is_same_v<T, Interval>) {
-    return within("two numbers, the smaller first,", Numbers{min, max});
-  }
-  return within(std::to_string(kSize<T>) + " numbers", Numbers{min, max});
-}
-
-template <class T>
-bool is_allowed(const std::vector<double>& numbers, double min, double max) {
-  if (numbers.size() != kSize<T>) return false;
-  for (const double number : numbers) {
-    if (!(number >= min && number <= max)) return false;
-    if (std::is_same_v<T, std::int64_t> && number != std::floor(number)) return false;
-  }
-  return !std::is_same_v<T, Interval> || numbers.front() <= numbers.back();
-}
-
-template <class T>
-std::string text_of(const T& value) {
-  std::string text;
-  for (const double number : numbers_of(value)) {
-    if (!text.empty()) text += ',';
-    text += decimal(number);
-  }
-  return text;
 }
 
 /// Numbers separated by commas; empty if the text is anything else.
@@ -206,7 +155,13 @@ bool may_be_missing(std::string_view name) {
   return name == "sensor.position_m" || name == "sensor.roll_pitch_yaw_deg";
 }
 
-/// Groups with their kind of motion, which decides what else is to be said of them.
+/// A flight with a timetable has nothing else of the drawn ones.
+FlightKind read_flight_kind(const TomlTable& file) {
+  const bool listed = file.is_table("uav") && file.table("uav").has("timetable_s_m");
+  return listed ? FlightKind::kTimetable : FlightKind::kWaypoints;
+}
+
+/// Groups with their kind of shape and motion, which decide what else is to be said of them.
 std::vector<ObstacleGroup> read_groups(const TomlTable& file) {
   std::vector<ObstacleGroup> groups;
   const TomlTable table = file.table("groups");
@@ -216,18 +171,39 @@ std::vector<ObstacleGroup> read_groups(const TomlTable& file) {
         name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
     if (!plain) table.reject(name, "a name of letters, digits and _");
     groups.emplace_back().name = name;
+    groups.back().shape = static_cast<ObstacleShape>(group.choice("shape", kObstacleShapeNames));
     groups.back().motion =
         static_cast<ObstacleMotionKind>(group.choice("motion", kObstacleMotionNames));
   }
   return groups;
 }
 
-void set_from_leaf(Scenario& scenario, const TomlTable::Leaf& leaf) {
+/// Runs `action`; what it throws on bad input begins with that place then.
+template <class Action>
+void at_place(const std::string& place, Action action) {
   try {
-    set_value(scenario, leaf.name, leaf.value, leaf.is_text);
+    action();
   } catch (const ldm::InvalidInput& error) {
-    throw ldm::InvalidInput(leaf.place + ": " + error.what());
+    throw ldm::InvalidInput(place + ": " + error.what());
   }
+}
+
+void set_from_leaf(Scenario& scenario, const TomlTable::Leaf& leaf) {
+  at_place(leaf.place, [&] { set_value(scenario, leaf.name, leaf.value, leaf.is_text); });
+}
+
+/// That all stops can be reached in time.
+void check_timetable(const ObstacleGroup& group) {
+  if (group.motion != ObstacleMotionKind::kTimetable) return;
+  const double needed = needed_acceleration(group);
+  if (needed <= group.acceleration.min) return;
+  const std::string at = "groups." + group.name + '.';
+  if (std::isinf(needed)) {
+    reject(at + "timetable_s_m", text_of(group.timetable),
+           "stops more than twice lateness_s from one another");
+  }
+  reject(at + "acceleration_mps2", text_of(group.acceleration),
+         "at least " + decimal(needed) + ", without which a stop may be reached too late");
 }
 
 }  // namespace
@@ -237,6 +213,7 @@ Scenario read_scenario(const std::filesystem::path& path) {
   Scenario scenario;
   scenario.name = path.stem().string();
   scenario.title = file.text("title");
+  scenario.uav.kind = read_flight_kind(file);
   scenario.groups = read_groups(file);
   std::set<std::string> given;
   for (const TomlTable::Leaf& leaf : file.leaves()) {
@@ -248,6 +225,10 @@ Scenario read_scenario(const std::filesystem::path& path) {
     if (given.contains(name) || may_be_missing(name)) continue;
     // No text is a value of anything: the setter says what would be.
     set_from_leaf(scenario, {name, "", file.place() + ": missing", false});
+  }
+  for (const ObstacleGroup& group : scenario.groups) {
+    at_place(file.table("groups").table(group.name).place("acceleration_mps2"),
+             [&] { check_timetable(group); });
   }
   return scenario;
 }
@@ -261,6 +242,7 @@ void set_scenario_value(Scenario& scenario, std::string_view name, std::string_v
 
 void check(const Scenario& scenario) {
   visit_scenario(scenario, Checker());
+  for (const ObstacleGroup& group : scenario.groups) check_timetable(group);
 }
 
 std::vector<std::pair<std::string, std::string>> scenario_values(const Scenario& scenario) {

@@ -1,8 +1,9 @@
 #pragma once
 /// The description of a simulated scenario: obstacles, flight and sensor (paper Sec. 4.1.1, Fig.
-/// 5).
+/// 5; Sec. 4.2.1, Fig. 11).
 ///
-/// A seed draws a world from it. The world has no ground: the paper ignores ground returns.
+/// A seed draws a world from it. The world has no ground: the paper ignores ground returns. The
+/// form of the file: docs/scenarios.md.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,13 +16,22 @@
 
 namespace datasets {
 
-enum class ObstacleShape { kBox, kCylinder, kPerson };
-inline constexpr std::string_view kObstacleShapeNames[] = {"box", "cylinder", "person"};
+/// A walker is a person whose legs swing.
+enum class ObstacleShape { kBox, kCylinder, kPerson, kWalker };
+inline constexpr std::string_view kObstacleShapeNames[] = {"box", "cylinder", "person", "walker"};
 
-enum class ObstacleMotionKind { kStatic, kShuttle };
-inline constexpr std::string_view kObstacleMotionNames[] = {"static", "shuttle"};
+enum class ObstacleMotionKind { kStatic, kShuttle, kTimetable };
+inline constexpr std::string_view kObstacleMotionNames[] = {"static", "shuttle", "timetable"};
+
+/// When to be where.
+template <int N>
+struct Stop {
+  double time = 0;                                                          ///< [s]
+  Eigen::Matrix<double, N, 1> place = Eigen::Matrix<double, N, 1>::Zero();  ///< world [m]
+};
 
 /// Obstacles drawn alike. A shuttle goes along a polyline, stops at each corner, and goes back.
+/// With a timetable, an obstacle goes from stop to stop, and rests between two at the same place.
 struct ObstacleGroup {
   std::string name;
   std::int64_t count = 0;
@@ -30,11 +40,15 @@ struct ObstacleGroup {
   Interval width;         ///< box: both horizontal edges; cylinder: diameter; person: shoulders [m]
   Interval height;        ///< [m]
   Interval bottom;        ///< lowest point above z = 0 [m]
-  Interval legs;          ///< number of legs of the polyline, rounded; shuttles only, as all below
-  Interval leg;           ///< length of a leg [m]
-  Interval speed;         ///< top speed, drawn anew for each pass of a leg [m/s]
-  Interval acceleration;  ///< at the start and the end of each leg [m/s^2]
-  Interval pause;         ///< at each corner [s]
+  Interval legs;          ///< number of legs of the polyline, rounded; shuttles only
+  Interval leg;           ///< length of a leg [m]; shuttles only
+  Interval speed;         ///< top speed, drawn anew for each pass of a leg [m/s]; shuttles only
+  Interval acceleration;  ///< at the start and the end of each leg [m/s^2]; what moves
+  Interval pause;         ///< at each corner [s]; shuttles only
+  Interval stride;        ///< way between two steps of the same foot [m]; walkers only
+  std::vector<Stop<2>> timetable = {};  ///< as all below, of what has one
+  double spread = 0;                    ///< each place is moved by up to so much along x and y [m]
+  double lateness = 0;                  ///< each time is moved by up to so much, either way [s]
 };
 
 struct SensorDescription {
@@ -48,13 +62,20 @@ struct SensorDescription {
   Eigen::Vector3d roll_pitch_yaw = Eigen::Vector3d::Zero();  ///< in the UAV's frame [deg]
 };
 
+/// Among drawn waypoints, or by a timetable: hovering where two stops have the same place.
+enum class FlightKind { kWaypoints, kTimetable };
+
 struct FlightDescription {
-  std::int64_t waypoints = 2;
+  FlightKind kind = FlightKind::kWaypoints;
+  std::int64_t waypoints = 2;   ///< as all up to max_acceleration, of a flight among waypoints
   Interval leg;                 ///< distance between successive waypoints [m]
   Interval height;              ///< of the waypoints above z = 0 [m]
   double max_speed = 0;         ///< [m/s]
   double max_acceleration = 0;  ///< [m/s^2]
   double clearance = 0;         ///< least distance of the UAV's centre from an obstacle [m]
+  std::vector<Stop<3>> timetable = {};  ///< as all below, of a flight by timetable
+  double spread = 0;  ///< the flight is moved by up to so much along each axis [m]
+  double drift = 0;   ///< standard deviation of the path's control points, one a second [m]
 };
 
 struct Scenario {

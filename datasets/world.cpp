@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "datasets/scripted_flight.h"
+
 namespace datasets {
 namespace {
 
@@ -48,6 +50,13 @@ bool keep_apart(const Placed& a, const Placed& b, double gap) {
   return true;
 }
 
+/// Of a shuttle the fastest that could have been drawn.
+double speed_bound(const Scenario& scenario, const ObstacleGroup& group,
+                   const ObstacleMotion& motion) {
+  if (group.motion == ObstacleMotionKind::kTimetable) return motion.top_speed();
+  return group.speed.max * scenario.speed_scale;
+}
+
 /// One that stays inside the area and off all others.
 Placed place(const Scenario& scenario, const ObstacleGroup& group,
              const std::vector<Placed>& others, Random& random) {
@@ -55,10 +64,11 @@ Placed place(const Scenario& scenario, const ObstacleGroup& group,
     ObstacleMotion motion =
         draw_motion(group, scenario.area, scenario.speed_scale, scenario.duration(), random);
     Track track = track_of(motion, scenario.duration());
+    const double speed = speed_bound(scenario, group, motion);
     Placed placed{{static_cast<std::int32_t>(others.size()), draw_body(group, random),
                    random.uniform(group.bottom), std::move(motion)},
                   std::move(track),
-                  group.speed.max * scenario.speed_scale};
+                  speed};
     const bool apart = std::all_of(others.begin(), others.end(), [&](const Placed& other) {
       return keep_apart(placed, other, scenario.obstacle_gap);
     });
@@ -112,17 +122,24 @@ std::vector<Eigen::Vector3d> draw_waypoints(const Scenario& scenario,
   throw std::runtime_error("no room for waypoint " + std::to_string(waypoints.size() + 1));
 }
 
-World draw_once(const Scenario& scenario, Random& random) {
-  std::vector<Placed> placed = place_all(scenario, random);
+FlightPath draw_path(const Scenario& scenario, const std::vector<Placed>& placed, Random& random) {
   FlightTask task;
+  for (const Placed& p : placed) task.keep_outs.push_back(keep_out(p));
+  if (scenario.uav.kind == FlightKind::kTimetable) {
+    return draw_scripted_flight(scenario.uav, scenario.duration(), task.keep_outs, kStep, random);
+  }
   task.waypoints = draw_waypoints(scenario, placed, random);
   task.duration = scenario.duration();
   task.sample_step = kStep;
   task.max_speed = scenario.uav.max_speed;
   task.max_acceleration = scenario.uav.max_acceleration;
   task.clearance = scenario.uav.clearance;
-  for (const Placed& p : placed) task.keep_outs.push_back(keep_out(p));
-  World world{{}, fit_flight_path(task)};
+  return fit_flight_path(task);
+}
+
+World draw_once(const Scenario& scenario, Random& random) {
+  std::vector<Placed> placed = place_all(scenario, random);
+  World world{{}, draw_path(scenario, placed, random)};
   for (Placed& p : placed) world.obstacles.push_back(std::move(p.obstacle));
   return world;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "experiments/cluster_tracks.h"
 #include "experiments/metrics/matching.h"
 #include "experiments/metrics/truth_grid.h"
 
@@ -24,7 +25,10 @@ class Scorer {
   }
 
   std::optional<Tallies> finish() {
-    if (tallies_) tallies_->velocity.finish();
+    if (tallies_) {
+      tallies_->velocity.finish();
+      tallies_->identity.finish();
+    }
     return std::move(tallies_);
   }
 
@@ -37,6 +41,7 @@ class Scorer {
  private:
   void add_velocities(const datasets::Frame& frame, const ldm::LocalMap& map) {
     const Matching matching = match(map, grid_);
+    const std::vector<std::int64_t> track_of = tracks_.next(frame.scan.time, map.clusters);
     for (std::size_t i = 0; i < matching.objects.size(); ++i) {
       const datasets::ObjectState& object = frame.truth->objects[i];
       const Matching::Object& matched = matching.objects[i];
@@ -47,16 +52,20 @@ class Scorer {
                        .visible = matched.visible,
                        .true_velocity = object.velocity,
                        .velocity = {}};
+      std::optional<std::int64_t> track;
       if (matched.cluster) {
         seen.velocity = map.clusters[*matched.cluster].velocity.cast<double>();
+        track = track_of[*matched.cluster];
       }
       tallies_->velocity.add(seen);
-      if (keep_series_ && seen.in_map) add_to_series(frame.index, seen);
+      tallies_->identity.add({seen.object, seen.time, seen.in_map, seen.visible, track});
+      if (keep_series_ && seen.in_map) add_to_series(frame.index, seen, track);
     }
     tallies_->velocity.add_clusters_without_object(matching.clusters_without_object);
   }
 
-  void add_to_series(std::int64_t frame, const Observation& seen) {
+  void add_to_series(std::int64_t frame, const Observation& seen,
+                     std::optional<std::int64_t> track) {
     VelocitySeries& series = series_[seen.object];
     series.object = seen.object;
     series.dynamic = seen.dynamic;
@@ -64,10 +73,13 @@ class Scorer {
     series.time.push_back(seen.time);
     series.true_velocity.push_back(seen.true_velocity);
     series.velocity.push_back(seen.velocity);
+    series.visible.push_back(seen.visible);
+    series.track.push_back(track);
   }
 
   bool velocities_, keep_series_;
   TruthGrid grid_;
+  ClusterTracks tracks_;
   std::optional<Tallies> tallies_;
   std::map<std::int32_t, VelocitySeries> series_;
 };

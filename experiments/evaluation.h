@@ -12,7 +12,8 @@
 
 namespace experiments {
 
-/// Estimated and true velocity of one object over the frames in which it is in the map.
+/// Estimated and true velocity of one object, and what stood for it, over the frames in which it is
+/// in the map.
 struct VelocitySeries {
   std::int32_t object = 0;
   bool dynamic = false;
@@ -20,6 +21,8 @@ struct VelocitySeries {
   std::vector<double> time;                              ///< [s]
   std::vector<Eigen::Vector3d> true_velocity;            ///< [m/s]
   std::vector<std::optional<Eigen::Vector3d>> velocity;  ///< absent: no cluster matched [m/s]
+  std::vector<bool> visible;                             ///< a ray met it
+  std::vector<std::optional<std::int64_t>> track;        ///< of the matched cluster
 };
 
 struct Evaluation {

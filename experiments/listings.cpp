@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "datasets/input_parameters.h"
 #include "experiments/text.h"
 
 namespace experiments {
@@ -70,12 +71,18 @@ void list_parameters(const std::optional<std::string>& name, std::ostream& out) 
   const Method* const method = name ? &find_method(*name) : nullptr;
   const ldm::Parameters parameters = method ? default_parameters(*method) : ldm::Parameters{};
   std::vector<Row> rows = {{"name", "symbol", "value", "unit", "range", "source", "meaning"}};
-  ldm::visit_parameters(parameters, [&](const ldm::ParameterInfo& info, const auto&... value) {
-    if (method != nullptr && !uses(*method, info.name)) return;
+  const auto add = [&](const auto& table, const ldm::ParameterInfo& info, const auto&... value) {
     const auto cell = [](std::string_view text) { return text.empty() ? "-" : std::string(text); };
-    rows.push_back({cell(info.name), cell(info.symbol), ldm::get_parameter(parameters, info.name),
+    rows.push_back({cell(info.name), cell(info.symbol), get_parameter(table, info.name),
                     cell(info.unit), RangeText{info}(value...), cell(info.source),
                     cell(info.help)});
+  };
+  visit_parameters(parameters, [&](const ldm::ParameterInfo& info, const auto&... value) {
+    if (method == nullptr || uses(*method, info.name)) add(parameters, info, value...);
+  });
+  const datasets::InputParameters input;
+  visit_parameters(input, [&](const ldm::ParameterInfo& info, const auto&... value) {
+    add(input, info, value...);
   });
   print(rows, out);
 }

@@ -13,7 +13,8 @@ namespace experiments {
 /// Each throws ldm::InvalidInput on an unknown name or a broken file.
 void list_methods(std::ostream& out);
 void list_scenarios(const DataFolders& folders, std::ostream& out);
-/// With the values of one method, and only what it uses; without one the defaults.
+/// With the values of one method, and only what it uses; without one the defaults. Then those of
+/// recordings, which are the same for all methods.
 void list_parameters(const std::optional<std::string>& method, std::ostream& out);
 /// Name, number of trials, title.
 void list_studies(const DataFolders& folders, std::ostream& out);

@@ -11,9 +11,11 @@
 #include "experiments/provenance.h"
 #include "experiments/render.h"
 #include "experiments/run.h"
+#include "experiments/score.h"
 #include "experiments/simulate.h"
 #include "experiments/text.h"
 #include "experiments/trial.h"
+#include "experiments/view.h"
 
 namespace {
 
@@ -47,7 +49,9 @@ class CommandLine {
     add_lists();
     add_simulate();
     add_run();
+    add_score();
     add_render();
+    add_view();
     add_trial();
   }
 
@@ -128,7 +132,7 @@ class CommandLine {
 
   void add_run() {
     CLI::App* command =
-        add("run", "run a method; writes clusters.csv, timing.csv and summary.json",
+        add("run", "run a method; writes clusters.csv, frames.csv, timing.csv and summary.json",
             "ldm run ldm scenario1 -o out --set particles.count=50000 --frames 300", [this] {
               run_.command = experiments::command_line(words_);
               experiments::run(run_, folders());
@@ -137,29 +141,100 @@ class CommandLine {
     add_method_and_input(command, run_);
     command->add_option("-o,--output", run_.output, "folder, made if it is missing")->required();
     command->add_option("--frames", run_.frames, "stop after so many")->check(CLI::PositiveNumber);
+    command
+        ->add_option("--rate", run_.rate,
+                     "play at so many times the log's own speed, and tell which frames came late")
+        ->check(CLI::PositiveNumber);
+    command
+        ->add_option("--save-frames", run_.save.frames,
+                     "frames whose occupied and free voxels go to OUTPUT/maps, as in 100,200")
+        ->delimiter(',')
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--save-as", run_.save.formats, "ply, bt (OctoMap), or ply,bt")
+        ->delimiter(',')
+        ->capture_default_str();
+  }
+
+  void add_score() {
+    CLI::App* command =
+        add_list("score",
+                 "hold the clusters of a run against a reference; writes score.csv and "
+                 "score.json into RUN",
+                 "ldm score out --truth flight.truth.csv",
+                 [this] { experiments::score_run(score_, std::cout); });
+    command->add_option("RUN", score_.run, "output folder of `ldm run`")->required();
+    command->add_option("--truth", score_.truth, "table of the true objects (docs/scores.md)")
+        ->required();
+    command
+        ->add_option("--gate", score_.gate,
+                     "how far from an object's box the centroid of its cluster may be [m]")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
   }
 
   void add_render() {
-    CLI::App* command = add("render", "draw what a method knows after a frame",
+    CLI::App* command = add("render", "draw what a method knows after a frame, or as a film",
                             "ldm render ldm scenario3 --frame 200 -o map.png", [this] {
                               experiments::render(render_, folders());
                               return kGood;
                             });
     add_method_and_input(command, render_);
-    command->add_option("-o,--output", render_.output, "FILE.png")->required();
-    command->add_option("--frame", render_.frame, "number of the frame, from 0")
-        ->required()
-        ->check(CLI::Range(0, 1000000000));
+    allow_run(command);
+    command->add_option("-o,--output", render_.output, "FILE.png, of one frame");
+    command->add_option("--frame", render_.frame, "its number, from 0")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--video", render_.video, "FILE.mp4, at the log's rate; needs ffmpeg");
+    command->add_option("--from", render_.from, "first frame of the film")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--to", render_.to, "last frame of the film (default: the last of all)")
+        ->check(CLI::NonNegativeNumber);
+  }
+
+  void add_view() {
+    CLI::App* command = add("view", "show what a method knows, in a window while it runs",
+                            "ldm view ldm scenario3", [this] {
+                              experiments::view(view_, folders());
+                              return kGood;
+                            });
+    add_method_and_input(command, view_);
+    allow_run(command);
+    command->add_option("--rate", view_.rate, "times the log's own speed")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_flag("--paused", view_.paused, "begin with a pause at the first frame");
+  }
+
+  /// Let the folder of a run stand for METHOD and INPUT.
+  static void allow_run(CLI::App* command) {
+    command->get_option("METHOD")->description(
+        "a method that `ldm methods` lists; or, without INPUT, the output folder of `ldm run`, "
+        "which is repeated");
+    command->get_option("INPUT")->required(false);
   }
 
   static void add_method_and_input(CLI::App* command, experiments::MethodOnInput& request) {
     command->add_option("METHOD", request.method, "a method that `ldm methods` lists")->required();
-    command->add_option("INPUT", request.input, "scenario (name or .toml file) or .rawlog file")
+    command
+        ->add_option("INPUT", request.input,
+                     "scenario (name or .toml file), or recording: .rawlog file of ours or MRPT's, "
+                     "KITTI folder, folder of PCD files (docs/recordings.md)")
         ->required();
-    command->add_option("-c,--config", request.config, "TOML file of parameters");
+    command->add_option("-c,--config", request.config,
+                        "TOML file of parameters, or a preset: uav, road, indoor");
     repeatable(command->add_option("--set", request.settings,
                                    "name=value of a parameter; may be repeated"));
     command->add_option("--seed", request.seed, "of a scenario's world (default 1)");
+    command->add_option(
+        "--format", request.format,
+        "of a recording: kitti, pcd, mrpt-rawlog, ldm-rawlog (default: recognised)");
+    command->add_option(
+        "--poses", request.recording.poses,
+        "trajectory of a folder of scans, TUM's or KITTI's (default: its poses.txt)");
+    command->add_option("--times", request.recording.times,
+                        "times of a folder of scans, one a line (default: its times.txt)");
+    command->add_flag("--keep-going", request.recording.keep_going,
+                      "skip and count the frames of a log that are broken");
   }
 
   void add_trial() {
@@ -202,7 +277,9 @@ class CommandLine {
   std::optional<std::string> method_;
   experiments::SimulateRequest simulate_;
   experiments::RunRequest run_;
+  experiments::ScoreRequest score_;
   experiments::RenderRequest render_;
+  experiments::ViewRequest view_;
   experiments::TrialRequest trial_;
   std::filesystem::path record_file_;
 };

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "experiments/run_tables.h"
+
 namespace experiments {
 namespace {
 
@@ -14,7 +16,6 @@ using datasets::Picture;
 /// red.
 constexpr std::array<Colour, 6> kPalette{
     {{86, 180, 233}, {230, 159, 0}, {0, 158, 115}, {204, 121, 167}, {0, 114, 178}, {240, 228, 66}}};
-constexpr Colour kNoCluster{170, 170, 170};
 constexpr float kArrowTime = 1.0F;  // [s]
 constexpr float kAbove = 0.15F;     // [m]
 
@@ -37,8 +38,9 @@ void add_cubes(const ldm::LocalMap& map, const std::vector<std::size_t>& colours
         const Eigen::Vector3d centre = (v.cast<double>().array() + 0.5) * map.resolution;
         const auto label = map.labels[i];
         picture.cubes.push_back(
-            {centre.cast<float>(),
-             label < 0 ? kNoCluster : kPalette[colours[static_cast<std::size_t>(label)]]});
+            {centre.cast<float>(), label < 0
+                                       ? kNoClusterColour
+                                       : cluster_colour(colours[static_cast<std::size_t>(label)])});
       }
     }
   }
@@ -60,22 +62,26 @@ void add_words(const datasets::Frame& frame, const ldm::LocalMap& map, Picture& 
   picture.heading.push_back(
       formatted("%zu occupied voxels of %g m", picture.cubes.size(), map.resolution));
   if (map.clusters.empty()) {
-    picture.cube_keys = {{{kNoCluster}, "occupied voxels"}};
+    picture.cube_keys = {{{kNoClusterColour}, "occupied voxels"}};
     return;
   }
-  const auto dynamic = std::count_if(map.clusters.begin(), map.clusters.end(),
-                                     [](const ldm::Cluster& c) { return c.dynamic; });
-  picture.heading.push_back(formatted("%zu clusters, %td dynamic", map.clusters.size(), dynamic));
+  picture.heading.push_back(formatted("%zu clusters, %lld dynamic", map.clusters.size(),
+                                      static_cast<long long>(dynamic_clusters(map))));
   picture.cube_keys = {{{kPalette[0], kPalette[1], kPalette[2]}, "occupied voxels, by cluster"}};
-  const bool any_grey = std::any_of(picture.cubes.begin(), picture.cubes.end(),
-                                    [](const auto& cube) { return cube.colour == kNoCluster; });
-  if (any_grey) picture.cube_keys.push_back({{kNoCluster}, "occupied, in no cluster"});
+  const bool any_grey =
+      std::any_of(picture.cubes.begin(), picture.cubes.end(),
+                  [](const auto& cube) { return cube.colour == kNoClusterColour; });
+  if (any_grey) picture.cube_keys.push_back({{kNoClusterColour}, "occupied, in no cluster"});
   picture.arrow_key = "velocity: motion in 1 s";
 }
 
 }  // namespace
 
 const std::size_t kClusterColours = kPalette.size();
+
+Colour cluster_colour(std::size_t colour) {
+  return kPalette[colour];
+}
 
 Picture picture_of(const datasets::Frame& frame, const ldm::LocalMap& map,
                    const std::vector<std::size_t>& colours, const std::string& heading) {

@@ -9,6 +9,10 @@ namespace experiments {
 
 /// Number of colours of clusters.
 extern const std::size_t kClusterColours;
+/// Requires colour < kClusterColours.
+datasets::Colour cluster_colour(std::size_t colour);
+/// Of occupied voxels in no cluster.
+inline constexpr datasets::Colour kNoClusterColour{170, 170, 170};
 
 /// @param colours of the clusters, each below kClusterColours; empty: the method finds no clusters,
 ///   and its occupied voxels are grey

@@ -48,4 +48,13 @@ void PartialFile::commit() {
   temporary_name_.clear();
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) {
+    throw ldm::InvalidInput(folder.string() + ": cannot be made (" + error.message() +
+                            "): allowed: a folder that can be written");
+  }
+}
+
 }  // namespace experiments

@@ -26,4 +26,8 @@ class PartialFile {
   std::ofstream stream_;
 };
 
+/// Make a folder, and those above it, unless they exist.
+/// @throws ldm::InvalidInput if it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace experiments

@@ -22,6 +22,9 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// In minutes and seconds, where the total is known.
+  std::string time_left(std::int64_t frames, double seconds) const;
+
   std::optional<std::int64_t> total_;
   bool terminal_;
   bool shown_ = false;

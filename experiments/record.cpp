@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace experiments {
@@ -37,10 +39,18 @@ struct ParameterWriter {
   }
 };
 
-Json parameters_json(const ldm::Parameters& parameters) {
+/// @param parameters any table that `visit_parameters` knows
+template <class Table>
+Json parameters_json(const Table& parameters) {
   Json json = Json::object();
-  ldm::visit_parameters(parameters, ParameterWriter{json});
+  visit_parameters(parameters, ParameterWriter{json});
   return json;
+}
+
+Json counts_json(const datasets::InputCounts& counts) {
+  return {{"frames_skipped", counts.frames_skipped},
+          {"points_dropped", counts.points_dropped},
+          {"other", counts.other}};
 }
 
 Json provenance_json(const Provenance& p, const std::optional<PluginFile>& plugin) {
@@ -70,15 +80,18 @@ Json rounded(const Eigen::Vector3d& v) {
 Json series_json(const std::vector<VelocitySeries>& all) {
   Json json = Json::array();
   for (const VelocitySeries& series : all) {
-    Json truth = Json::array(), estimate = Json::array();
+    Json truth = Json::array(), estimate = Json::array(), track = Json::array();
     for (const auto& v : series.true_velocity) truth.push_back(rounded(v));
     for (const auto& v : series.velocity) estimate.push_back(v ? rounded(*v) : Json(nullptr));
+    for (const auto& id : series.track) track.push_back(id ? Json(*id) : Json(nullptr));
     json.push_back({{"object", series.object},
                     {"dynamic", series.dynamic},
                     {"frame", series.frame},
                     {"time_s", series.time},
                     {"true_velocity_mps", std::move(truth)},
-                    {"velocity_mps", std::move(estimate)}});
+                    {"velocity_mps", std::move(estimate)},
+                    {"visible", series.visible},
+                    {"track", std::move(track)}});
   }
   return json;
 }
@@ -107,6 +120,18 @@ Json timing_json(const StageClock& clock, bool serial) {
   return json;
 }
 
+/// What else it takes to run the method on the same frames again.
+Json source_json(const MethodOnInput& request) {
+  Json json = {{"folder", std::filesystem::current_path().string()}};
+  if (!request.is_log()) json["seed"] = std::to_string(request.world_seed());
+  if (request.format) json["format"] = *request.format;
+  const datasets::RecordingOptions& recording = request.recording;
+  if (recording.poses) json["poses"] = recording.poses->string();
+  if (recording.times) json["times"] = recording.times->string();
+  if (recording.keep_going) json["keep_going"] = true;
+  return json;
+}
+
 /// One line for each key of the outermost object: readable, and short for the long arrays.
 std::string dump(const Json& json) {
   std::string text = "{";
@@ -114,6 +139,65 @@ std::string dump(const Json& json) {
     text += (text.size() > 1 ? ",\n " : "\n ") + Json(key).dump() + ": " + value.dump();
   }
   return text + "\n}\n";
+}
+
+/// "name=value" of every parameter that `uses` keeps, as the command line takes it.
+std::vector<std::string> settings_in(const Json& parameters,
+                                     const std::function<bool(std::string_view)>& uses) {
+  std::vector<std::string> settings;
+  for (const auto& [name, value] : parameters.items()) {
+    if (!uses(name)) continue;
+    std::string text;
+    if (value.is_array()) {
+      for (const Json& element : value) text += (text.empty() ? "" : ",") + element.dump();
+    } else {
+      text = value.is_string() ? value.get<std::string>() : value.dump();
+    }
+    settings.push_back(name + "=" + text);
+  }
+  return settings;
+}
+
+MethodOnInput request_of(const Json& json) {
+  MethodOnInput request;
+  request.method = json.at("method").get<std::string>();
+  const Json& source = json.at("source");
+  const std::filesystem::path folder = source.at("folder").get<std::string>();
+  const auto file = [&](const char* key) -> std::optional<std::filesystem::path> {
+    if (!source.contains(key)) return {};
+    return folder / source.at(key).get<std::string>();
+  };
+  request.input = json.at("input").get<std::string>();
+  if (source.contains("format")) request.format = source.at("format").get<std::string>();
+  if (source.contains("seed")) request.seed = std::stoull(source.at("seed").get<std::string>());
+  const bool is_name = request.seed && !request.input.ends_with(".toml");
+  if (!is_name) request.input = (folder / request.input).string();
+  request.recording.poses = file("poses");
+  request.recording.times = file("times");
+  request.recording.keep_going = source.contains("keep_going");
+  const Method& method = find_method(request.method);
+  request.settings =
+      settings_in(json.at("parameters"), [&](std::string_view name) { return uses(method, name); });
+  if (json.contains("input_parameters")) {
+    for (std::string& setting :
+         settings_in(json.at("input_parameters"), [](std::string_view) { return true; })) {
+      request.settings.push_back(std::move(setting));
+    }
+  }
+  return request;
+}
+
+Json score_json(const ObjectScore& score) {
+  const auto value = [](const Mean& mean) {
+    return mean.value() ? Json(*mean.value()) : Json(nullptr);
+  };
+  return {{"objects", score.objects},
+          {"frames", score.frames},
+          {"matched", score.matched()},
+          {"position_error_m", value(score.position_error)},
+          {"velocity_error_mps", value(score.velocity_error)},
+          {"tracks", score.tracks},
+          {"switches", score.switches}};
 }
 
 }  // namespace
@@ -147,13 +231,59 @@ std::string to_json(const TrialRecord& record, const Provenance& provenance) {
 std::string to_json(const RunSummary& summary, const Provenance& provenance) {
   Json json = {{"schema", 1},
                {"command", summary.command},
-               {"method", summary.method},
-               {"input", summary.input},
+               {"method", summary.request.method},
+               {"input", summary.request.input},
+               {"source", source_json(summary.request)},
                {"frames", summary.evaluation.frames},
+               {"interrupted", summary.interrupted},
                {"parameters", parameters_json(summary.parameters)},
                {"provenance", provenance_json(provenance, summary.plugin)}};
+  if (summary.input_parameters) {
+    json["input_parameters"] = parameters_json(*summary.input_parameters);
+  }
+  if (summary.input_parameters || summary.input_counts.skipped() > 0) {
+    json["input_counts"] = counts_json(summary.input_counts);
+  }
+  if (summary.real_time) {
+    const RealTime& played = *summary.real_time;
+    json["real_time"] = {{"rate", played.rate},
+                         {"late_frames", played.late.frames},
+                         {"worst_lateness_s", played.late.worst}};
+  }
   if (summary.evaluation.tallies) json["scores"] = scores_json(*summary.evaluation.tallies);
   json["timing"] = timing_json(summary.evaluation.clock, false);
+  return dump(json);
+}
+
+MethodOnInput read_request(const std::filesystem::path& summary) {
+  std::ifstream stream(summary);
+  if (!stream) {
+    throw ldm::InvalidInput(summary.string() +
+                            ": cannot be read: allowed: summary.json in a folder of `ldm run`");
+  }
+  try {
+    return request_of(Json::parse(stream));
+  } catch (const Json::exception& error) {
+    throw ldm::InvalidInput(summary.string() + ": no summary of this version: " + error.what());
+  }
+}
+
+std::string to_json(const TruthScore& score, const std::string& truth, double gate) {
+  Json json = {{"schema", 1},
+               {"truth", truth},
+               {"gate_m", gate},
+               {"frames", score.frames},
+               {"frames_not_in_run", score.not_run},
+               {"dynamic", score_json(score.of_dynamic)},
+               {"static", score_json(score.of_static)},
+               {"dynamic_clusters_without_object", score.dynamic_without_object},
+               {"dynamic_clusters_on_static_objects", score.dynamic_on_static}};
+  for (const auto& [id, object] : score.objects) {
+    Json row = {{"id", id}, {"dynamic", object.dynamic}};
+    row.update(score_json(object.score));
+    row.erase("objects");
+    json["objects"].push_back(std::move(row));
+  }
   return dump(json);
 }
 

@@ -1,13 +1,18 @@
 #pragma once
-/// Results as JSON: the record of a trial (experiments/RECORD.md) and the summary of a run.
+/// Results as JSON: the record of a trial (experiments/RECORD.md), the summary of a run and its
+/// score.
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "datasets/input_parameters.h"
 #include "experiments/evaluation.h"
+#include "experiments/method_on_input.h"
+#include "experiments/played_frames.h"
 #include "experiments/plugins.h"
 #include "experiments/provenance.h"
 #include "experiments/sweep.h"
+#include "experiments/truth_score.h"
 #include "ldm/parameters.h"
 
 namespace experiments {
@@ -31,13 +36,31 @@ struct TrialRecord {
 };
 std::string to_json(const TrialRecord& record, const Provenance& provenance);
 
+/// A run at the log's own speed.
+struct RealTime {
+  double rate = 1;  ///< times that speed
+  Lateness late;
+};
+
 struct RunSummary {
   std::string command;
-  std::string method, input;
+  MethodOnInput request;
   ldm::Parameters parameters;
+  std::optional<datasets::InputParameters> input_parameters;  ///< of a recording
+  datasets::InputCounts input_counts;
   std::optional<PluginFile> plugin;
+  std::optional<RealTime> real_time;
+  bool interrupted = false;  ///< by Ctrl-C, after the last frame
   Evaluation evaluation;
 };
 std::string to_json(const RunSummary& summary, const Provenance& provenance);
+
+/// The request that repeats a run, from its summary.json. Relative names of files are those of the
+/// folder in which the run was started.
+/// @throws ldm::InvalidInput if there is no such file, or not all that it takes in it.
+MethodOnInput read_request(const std::filesystem::path& summary);
+
+/// @param truth, gate that the score was made with
+std::string to_json(const TruthScore& score, const std::string& truth, double gate);
 
 }  // namespace experiments

@@ -4,46 +4,23 @@
 #include <cstdio>
 #include <memory>
 
+#include "experiments/cluster_tracks.h"
 #include "experiments/evaluation.h"
+#include "experiments/interruption.h"
 #include "experiments/partial_file.h"
+#include "experiments/played_frames.h"
 #include "experiments/progress_line.h"
 #include "experiments/record.h"
+#include "experiments/run_tables.h"
 
 namespace experiments {
 namespace {
 
-void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map, std::ostream& out) {
-  for (std::size_t i = 0; i < map.clusters.size(); ++i) {
-    const ldm::Cluster& c = map.clusters[i];
-    char line[320];
-    std::snprintf(line, sizeof line,
-                  "%lld,%.6f,%zu,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%d,%d\n",
-                  static_cast<long long>(frame.index), frame.scan.time, i,
-                  static_cast<double>(c.position.x()), static_cast<double>(c.position.y()),
-                  static_cast<double>(c.position.z()), static_cast<double>(c.size.x()),
-                  static_cast<double>(c.size.y()), static_cast<double>(c.size.z()),
-                  static_cast<double>(c.velocity.x()), static_cast<double>(c.velocity.y()),
-                  static_cast<double>(c.velocity.z()), c.voxels, c.dynamic ? 1 : 0);
-    out << line;
-  }
-}
-
-/// Raw times of every frame, warm-up included.
-void write_timing(const StageClock& clock, std::ostream& out) {
-  out << "frame";
-  for (const StageClock::Stage& stage : clock.stages()) out << ',' << stage.name << "_ms";
-  out << ",total_ms\n";
-  for (std::size_t frame = 0; frame < clock.totals().size(); ++frame) {
-    out << frame;
-    for (const StageClock::Stage& stage : clock.stages()) out << ',' << stage.ms[frame];
-    out << ',' << clock.totals()[frame] << '\n';
-  }
-}
-
-std::string cluster_counts(const ldm::LocalMap& map) {
-  const auto dynamic = std::count_if(map.clusters.begin(), map.clusters.end(),
-                                     [](const ldm::Cluster& c) { return c.dynamic; });
-  return std::to_string(map.clusters.size()) + " clusters, " + std::to_string(dynamic) + " dynamic";
+std::string progress_detail(const ldm::LocalMap& map, const Lateness& late) {
+  std::string text = std::to_string(map.clusters.size()) + " clusters, " +
+                     std::to_string(dynamic_clusters(map)) + " dynamic";
+  if (late.frames > 0) text += ", " + std::to_string(late.frames) + " frames late";
+  return text;
 }
 
 std::optional<std::int64_t> expected_frames(const datasets::FrameSource& source,
@@ -52,12 +29,62 @@ std::optional<std::int64_t> expected_frames(const datasets::FrameSource& source,
   return size && limit ? std::min(*size, *limit) : (size ? size : limit);
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder)) {
-    throw ldm::InvalidInput(folder.string() + ": cannot be made (" + error.message() +
-                            "): allowed: a folder that can be written");
+/// The tables of a run: together, or none.
+class RunTables {
+ public:
+  explicit RunTables(const std::filesystem::path& folder)
+      : clusters_(folder / "clusters.csv"),
+        frames_(folder / "frames.csv"),
+        timing_(folder / "timing.csv"),
+        summary_(folder / "summary.json") {
+    clusters_.stream() << kClusterColumns << '\n';
+    frames_.stream() << kFrameColumns << '\n';
+  }
+
+  void add(const datasets::Frame& frame, const ldm::LocalMap& map,
+           const std::vector<std::int64_t>& tracks) {
+    write_clusters(frame, map, tracks, clusters_.stream());
+    write_frame(frame, map, frames_.stream());
+    numbers_.push_back(frame.index);
+  }
+
+  void finish(const RunSummary& summary) {
+    write_timing(numbers_, summary.evaluation.clock, timing_.stream());
+    summary_.stream() << to_json(summary, provenance());
+    for (PartialFile* file : {&clusters_, &frames_, &timing_, &summary_}) file->commit();
+  }
+
+ private:
+  PartialFile clusters_, frames_, timing_, summary_;
+  std::vector<std::int64_t> numbers_;  // of the frames: a recording may have gaps
+};
+
+/// Before the first frame.
+RunSummary summary_of(const RunRequest& request, const Method& method, const DataFolders& folders) {
+  return {.command = request.command,
+          .request = request,
+          .parameters = parameters_of(request, method, folders),
+          .input_parameters = input_parameters_of(request, folders),
+          .input_counts = {},
+          .plugin = plugin_of(method),
+          .real_time = {},
+          .interrupted = false,
+          .evaluation = {}};
+}
+
+/// What the user should know without looking into the files.
+void report(const RunSummary& summary) {
+  if (summary.input_counts.skipped() > 0) {
+    std::fprintf(stderr, "ldm: %s\n", summary.input_counts.skipped_text().c_str());
+  }
+  if (summary.real_time) {
+    const auto& [rate, late] = *summary.real_time;
+    std::printf("played at %g times the log's speed: %lld frames came late, the worst by %.3f s\n",
+                rate, static_cast<long long>(late.frames), late.worst);
+  }
+  if (summary.interrupted) {
+    throw std::runtime_error("interrupted after " + std::to_string(summary.evaluation.frames) +
+                             " frames, which are written");
   }
 }
 
@@ -65,34 +92,34 @@ void make_folder(const std::filesystem::path& folder) {
 
 void run(const RunRequest& request, const DataFolders& folders) {
   const Method& method = find_method(request.method);
-  RunSummary summary{.command = request.command,
-                     .method = request.method,
-                     .input = request.input,
-                     .parameters = parameters_of(request, method),
-                     .plugin = plugin_of(method),
-                     .evaluation = {}};
+  RunSummary summary = summary_of(request, method, folders);
+  SavedMaps maps(request.save, request.output / "maps");
   const std::unique_ptr<datasets::FrameSource> source =
       open_input(request, folders, request.frames);
   make_folder(request.output);
-  PartialFile clusters(request.output / "clusters.csv");
-  PartialFile timing(request.output / "timing.csv");
-  PartialFile json(request.output / "summary.json");
+  RunTables tables(request.output);
 
-  clusters.stream() << "frame,time_s,cluster,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,"
-                       "vx_mps,vy_mps,vz_mps,voxels,dynamic\n";
-  ProgressLine progress(expected_frames(*source, request.frames));
-  std::int64_t frames = 0;
-  const auto observe = [&](const datasets::Frame& frame, const ldm::LocalMap& map) {
-    write_clusters(frame, map, clusters.stream());
-    progress.show(++frames, cluster_counts(map));
-  };
-  summary.evaluation = evaluate(method, summary.parameters, *source,
-                                {.frames = request.frames, .series = false, .observer = observe});
-  write_timing(summary.evaluation.clock, timing.stream());
-  json.stream() << to_json(summary, provenance());
-  clusters.commit();
-  timing.commit();
-  json.commit();
+  const Interruption interruption;
+  PlayedFrames frames(*source, request.rate, [&] { return interruption.requested(); });
+  ClusterTracks tracks;
+  std::int64_t done = 0;
+  {
+    ProgressLine progress(expected_frames(*source, request.frames));
+    const auto observe = [&](const datasets::Frame& frame, const ldm::LocalMap& map) {
+      const std::vector<std::int64_t> ids = tracks.next(frame.scan.time, map.clusters);
+      tables.add(frame, map, ids);
+      maps.add(frame, map, ids);
+      progress.show(++done, progress_detail(map, frames.lateness()));
+    };
+    summary.evaluation = evaluate(method, summary.parameters, frames,
+                                  {.frames = request.frames, .series = false, .observer = observe});
+  }
+  summary.input_counts = source->counts();
+  summary.interrupted = interruption.requested();
+  if (request.rate) summary.real_time = {*request.rate, frames.lateness()};
+  tables.finish(summary);
+  report(summary);
+  maps.check_complete();
 }
 
 }  // namespace experiments

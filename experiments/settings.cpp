@@ -1,6 +1,18 @@
 #include "experiments/settings.h"
 
 namespace experiments {
+namespace {
+
+template <class Table>
+void apply_to(Table& parameters, const Setting& setting) {
+  try {
+    set_parameter(parameters, setting.name, setting.value);
+  } catch (const ldm::InvalidInput& error) {
+    throw ldm::InvalidInput(setting.place + ": " + error.what());
+  }
+}
+
+}  // namespace
 
 Settings settings_of(const datasets::TomlTable& table) {
   Settings settings;
@@ -23,11 +35,11 @@ Settings read_settings(const std::filesystem::path& file) {
 }
 
 void apply(const Setting& setting, ldm::Parameters& parameters) {
-  try {
-    ldm::set_parameter(parameters, setting.name, setting.value);
-  } catch (const ldm::InvalidInput& error) {
-    throw ldm::InvalidInput(setting.place + ": " + error.what());
-  }
+  apply_to(parameters, setting);
+}
+
+void apply(const Setting& setting, datasets::InputParameters& parameters) {
+  apply_to(parameters, setting);
 }
 
 std::string_view scenario_key(const Setting& setting) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "datasets/input_parameters.h"
 #include "datasets/toml_reader.h"
 #include "ldm/parameters.h"
 
@@ -30,6 +31,7 @@ Settings read_settings(const std::filesystem::path& file);
 
 /// @throws ldm::InvalidInput naming place, parameter, value and range.
 void apply(const Setting& setting, ldm::Parameters& parameters);
+void apply(const Setting& setting, datasets::InputParameters& parameters);
 
 /// If the setting is of the scenario: its name there, else empty.
 std::string_view scenario_key(const Setting& setting);

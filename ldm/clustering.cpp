@@ -163,6 +163,7 @@ void Clustering::group_runs() {
 }
 
 void Clustering::read(LocalMap& map) const {
+  map.clusters.reserve(clusters_.capacity());
   map.clusters = clusters_;
   map.labels.assign(map.window.count(), -1);
   for (const Run& run : runs_) {

@@ -53,7 +53,13 @@ MeasurementFlags::MeasurementFlags(const MapParameters& map, NoReturnRays no_ret
       parallel_(threads),
       parts_(static_cast<std::size_t>(parallel_.parts())) {
   window_.size = map.voxels;
-  for (Part& part : parts_) part.flags.resize(window_.count());
+  // A scan ends in few of the voxels; one that ends in more of them takes more memory, once.
+  const std::size_t usual_ends = std::min<std::size_t>(window_.count(), 8192);
+  for (Part& part : parts_) {
+    part.flags.resize(window_.count());
+    part.hits.reserve(usual_ends);
+    part.borders.reserve(usual_ends);
+  }
 }
 
 void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {

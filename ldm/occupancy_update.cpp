@@ -69,6 +69,7 @@ void OccupancyUpdate::apply_to_row(int n, const std::uint8_t* flags, const std::
       apply_to_each(x, x + kStretch, flags, kept, l);
       continue;
     }
+    if (keeps(flags[x])) continue;
     const float p_s = survival(flags[x]);
     const float l_z = gain_[flags[x]];
     for (int i = x; i < x + kStretch; ++i) l[i] = measured(survived(l[i], p_s), l_z);
@@ -79,6 +80,7 @@ void OccupancyUpdate::apply_to_row(int n, const std::uint8_t* flags, const std::
 void OccupancyUpdate::apply_to_each(int begin, int end, const std::uint8_t* flags,
                                     const std::uint8_t* kept, float* l) const {
   for (int x = begin; x < end; ++x) {
+    if (keeps(flags[x])) continue;
     const bool stays = kept != nullptr && kept[x] != 0;
     l[x] = measured(survived(l[x], stays ? 1.0F : survival(flags[x])), gain_[flags[x]]);
   }

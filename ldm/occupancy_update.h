@@ -42,6 +42,8 @@ class OccupancyUpdate {
   float survival(std::uint8_t flag) const { return factor_[flag]; }
 
  private:
+  /// True for a flag that leaves log-odds as they are.
+  bool keeps(std::uint8_t flag) const { return factor_[flag] == 1 && gain_[flag] == 0; }
   void apply_to_row(int n, const std::uint8_t* flags, const std::uint8_t* kept, float* l) const;
   void apply_to_each(int begin, int end, const std::uint8_t* flags, const std::uint8_t* kept,
                      float* l) const;

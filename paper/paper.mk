@@ -26,4 +26,5 @@ reproduce-full: program ## all that the report needs at 100 seeds, and the repor
 	@$(PYTHON) experiments/estimate.py $(PAPER_STUDIES) --program $(LDM) --results '$(RESULTS)' \
 	  --seeds '$(SEEDS)' --jobs '$(JOBS)' --serial timing
 	@for study in $(PAPER_STUDIES); do $(MAKE) trials STUDY=$$study SEEDS='$(SEEDS)' || exit; done
+	@[ -e '$(RESULTS)/bench.json' ] || $(MAKE) bench
 	@$(MAKE) figures paper SEEDS='$(SEEDS)'

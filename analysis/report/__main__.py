@@ -1,6 +1,6 @@
 """Write everything of the report in paper/ that comes from results; `make paper` calls it.
 
-Reads   DIR/STUDY/records/*.json, DIR/worlds/, and what `make equations` prints
+Reads   DIR/STUDY/records/*.json, DIR/worlds/, DIR/flight/, and what `make equations` prints
 Writes  OUTPUT/*.tex, OUTPUT/figures/, and OUTPUT/sources.json: what the rest was made from
 Prints  which studies are missing, and the command that makes each
 
@@ -21,6 +21,7 @@ from analysis.output import write_text
 from analysis.records import Study
 from analysis.report import latex
 from analysis.report.claims import ledger, ledger_table
+from analysis.report.claims_outdoor import outdoor_table
 from analysis.report.equations import index_table, read_index
 from analysis.report.evidence import SWEEPS, Evidence, command
 from analysis.report.figures import write_figures
@@ -48,6 +49,7 @@ def write_report(evidence: Evidence, equations: Path, output: Path) -> None:
         "ledger": ledger_table(rows, captions["ledger"]),
         "accuracy": _tabular(evidence, accuracy_table, captions["accuracy"], "tab:accuracy"),
         "velocity": _tabular(evidence, velocity_table, captions["velocity"], "tab:velocity"),
+        "outdoor": outdoor_table(evidence, captions["outdoor"]),
         "open-points": points_table(evidence, defaults, captions["open-points"]),
         "sensitivity": sensitivity_table(evidence, captions["sensitivity"]),
         "equations": index_table(index, captions["equations"]),
@@ -87,9 +89,10 @@ def _captions(evidence: Evidence) -> dict[str, str]:
         "includes zero"
     )
     texts = {
-        "ledger": ("Claims of the paper's evaluation", ("table1", "ablation", "timing")),
+        "ledger": ("Claims of the paper's evaluation", ("table1", "ablation", "timing", "outdoor")),
         "accuracy": ("Occupancy grid accuracy, the paper's beside ours", ("table1",)),
         "velocity": ("Velocity error, the paper's beside ours", ("table1",)),
+        "outdoor": ("Claims on the flight outdoors, the paper's beside ours", ("outdoor",)),
         "open-points": (f"Open points and their effect: {effects}",
                         ("ablation", "process_noise", "survival")),
         "sensitivity": (f"Orders under other circumstances: {orders}",

@@ -10,7 +10,8 @@ import numpy as np
 from analysis.report import latex
 from analysis.report.claim_rows import Row
 from analysis.report.claims_occupancy import cause_rows, table1_rows, time_row
-from analysis.report.claims_velocity import outdoor_rows, velocity_rows
+from analysis.report.claims_outdoor import outdoor_rows
+from analysis.report.claims_velocity import velocity_rows
 from analysis.report.comparisons import NO, OPEN, PARTLY, YES
 from analysis.report.evidence import Evidence
 from analysis.statistics import holm

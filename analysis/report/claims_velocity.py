@@ -1,4 +1,4 @@
-"""The claims of Sec. 4.1.3 and, as far as the simulation has a counterpart, of Sec. 4.2."""
+"""The claims of Sec. 4.1.3: velocities."""
 
 from __future__ import annotations
 
@@ -83,37 +83,3 @@ def _constancy_row(study: Study | None, scenario: str, entry: dict) -> Row:
     verdict = YES if found.difference.high < 0 else NO
     return Row(statement, latex.plain(entry["place"]), entry["claim"], lines, verdict, where,
                found.p)  # fmt: skip
-
-
-def outdoor_rows(evidence: Evidence) -> list[Row]:
-    """No recording of the flight exists: the simulated counterpart, where there is one."""
-    entries = published()["outdoor"]
-    study = evidence.study("table1")
-    bound = entries["static"]["largest_error_mps"]
-    static = "Outdoor: error of a static obstacle in every direction; ours in scenario 2"
-    direction = "Outdoor: direction of the estimated velocity; ours in scenario 1"
-    occlusion = open_row(
-        "Outdoor: an occluded person keeps its cluster", entries["occlusion"]["place"],
-        entries["occlusion"]["claim"], "the flight is not published; the scores of the simulation "
-        "hold no identity of clusters", r"Section~\ref{sec:limits}",
-    )  # fmt: skip
-    where = r"Section~\ref{sec:velocity}"
-    if study is None:
-        return [
-            open_row(static, entries["static"]["place"], f"up to {bound} m/s",
-                      latex.missing("table1"), where),
-            occlusion,
-            open_row(direction, entries["direction"]["place"], "right",
-                      latex.missing("table1"), where),
-        ]  # fmt: skip
-    rows = []
-    for statement, entry, scenario, score, what in (
-        (static, entries["static"] | {"claim": f"up to {bound} m/s"}, "scenario2",
-         series_scores.static_share, f"of the frames within {bound} m/s"),
-        (direction, entries["direction"] | {"claim": "right"}, "scenario1",
-         series_scores.direction_share,
-         f"of the frames within {series_scores.RIGHT_WITHIN_DEG} degrees"),
-    ):  # fmt: skip
-        shares = series_scores.score_trials(study, scenario, "ldm", score)
-        rows.append(share_row(statement, entry, shares, what, where))
-    return [rows[0], occlusion, rows[1]]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
+from analysis.bench import Bench, bench_file, load_bench
 from analysis.records import Study, load_study
 
 SWEEPS = (
@@ -19,11 +20,16 @@ SWEEPS = (
 )
 """Studies that the report shows as figures, in its order."""
 
-STUDIES = ("table1", "calibration", "timing", "ablation", *SWEEPS)
-WORLDS = "worlds"
-"""Not a study: the recorded worlds of Figure 5."""
+STUDIES = ("table1", "outdoor", "calibration", "timing", "ablation", *SWEEPS)
+WORLDS, FLIGHT = "worlds", "flight"
+"""Not studies: the recorded worlds of Figure 5, and those of Figure 11 with the pictures of Figures 12
+and 13."""
+RECORDINGS = (WORLDS, FLIGHT)
+BENCH = "bench"
+"""Not a study either: bench.json, the speeds."""
 
-_COMMANDS = {"table1": "make reproduce", "timing": "make timing", WORLDS: "make figures"}
+_COMMANDS = {"table1": "make reproduce", "timing": "make timing", BENCH: "make bench"}
+_COMMANDS |= {name: "make figures" for name in RECORDINGS}
 
 
 def command(name: str) -> str:
@@ -44,7 +50,7 @@ class Evidence:
 
     def folder(self, name: str) -> Path | None:
         """The folder of a study's results; None if there are none."""
-        pattern = "*.truth.csv" if name == WORLDS else "records/*.json"
+        pattern = "*.truth.csv" if name in RECORDINGS else "records/*.json"
         shortened = [path for path in self.results.glob(f"{name}-f*") if _frames(path)]
         candidates = [self.results / name, *sorted(shortened, key=_frames, reverse=True)]
         return next((path for path in candidates if any(path.glob(pattern))), None)
@@ -55,7 +61,18 @@ class Evidence:
 
     def missing(self) -> list[str]:
         """Names of what the report lacks."""
-        return [name for name in (*STUDIES, WORLDS) if not self.exists(name)]
+        missing = [name for name in (*STUDIES, *RECORDINGS) if not self.exists(name)]
+        return missing + ([] if self.bench() else [BENCH])
+
+    def bench(self) -> Bench | None:
+        """The speeds; None if they are missing.
+
+        Raises
+        ------
+        InputError
+            If the file is broken.
+        """
+        return load_bench(self.results) if bench_file(self.results).exists() else None
 
     def study(self, name: str) -> Study | None:
         """The study; None if it is missing.
@@ -74,8 +91,10 @@ class Evidence:
 
     def digests(self) -> dict[str, str]:
         """Hash of the files of everything that exists: it changes whenever a record does."""
-        folders = {name: self.folder(name) for name in (*STUDIES, WORLDS)}
-        return {name: _digest(folder) for name, folder in folders.items() if folder}
+        folders = {name: self.folder(name) for name in (*STUDIES, *RECORDINGS)}
+        digests = {name: _digest(folder) for name, folder in folders.items() if folder}
+        file = bench_file(self.results)
+        return digests | ({BENCH: hashlib.sha256(file.read_bytes()).hexdigest()} if file.exists() else {})
 
 
 def _frames(folder: Path) -> int:
@@ -85,7 +104,7 @@ def _frames(folder: Path) -> int:
 
 
 def _digest(folder: Path) -> str:
-    files = sorted([*folder.glob("records/*.json"), *folder.glob("*.csv")])
+    files = sorted(file for kind in ("records/*.json", "*.csv", "*.png") for file in folder.glob(kind))
     total = hashlib.sha256(folder.name.encode())
     for file in files:
         total.update(file.name.encode() + hashlib.sha256(file.read_bytes()).digest())

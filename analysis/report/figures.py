@@ -5,17 +5,26 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from analysis import computation_time, figure5, sweep_figure, velocity_figures
+from analysis import (
+    computation_time,
+    figure5,
+    flight_figures,
+    outdoor_figures,
+    sweep_figure,
+    velocity_figures,
+)
 from analysis.mean_table import mean_table
 from analysis.output import write_text
 from analysis.report import latex
-from analysis.report.evidence import SWEEPS, WORLDS, Evidence
+from analysis.report.evidence import FLIGHT, SWEEPS, WORLDS, Evidence
 from analysis.scores import MAIN_SCORES, find_scores
 
 _STUDY = {
     "figure5": WORLDS,
     **{f"figure{number}": "table1" for number in (6, 7, 8, 9)},
     "velocity_errors": "table1",
+    **{f"figure{number}": FLIGHT for number in (11, 12, 13)},
+    **{name: "outdoor" for name in outdoor_figures.PERSONS},
     "computation_time": "timing",
     **{study: study for study in (*SWEEPS, "ablation")},
 }
@@ -43,6 +52,10 @@ def _draw_all(evidence: Evidence, folder: Path) -> list[Path]:
         made += figure5.draw(worlds, folder)
     if (study := evidence.study("table1")) is not None:
         made += velocity_figures.draw(study, folder)
+    if (flight := evidence.folder(FLIGHT)) is not None:
+        made += flight_figures.draw(flight, folder)
+    if (study := evidence.study("outdoor")) is not None:
+        made += outdoor_figures.draw(study, folder)
     if (study := evidence.study("timing")) is not None:
         records = computation_time.serial_records(study)
         table = computation_time.time_table(records, study.methods)

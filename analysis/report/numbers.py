@@ -14,6 +14,7 @@ from analysis.orderings import OPPOSITE, REPRODUCED
 from analysis.published import published
 from analysis.records import Study
 from analysis.report import latex, series_scores
+from analysis.report.bench_numbers import bench_numbers
 from analysis.report.claim_rows import MOST_PCT, Row
 from analysis.report.claims import counts
 from analysis.report.comparisons import per_seed
@@ -32,6 +33,7 @@ def numbers(evidence: Evidence, rows: list[Row], defaults: dict[str, object]) ->
         found |= _study_numbers(name, evidence.study(name))
     found |= _table1_numbers(evidence.study("table1"))
     found |= _time_numbers(evidence)
+    found |= bench_numbers(evidence)
     found |= _world_numbers(evidence)
     return found
 

@@ -62,6 +62,23 @@ def static_share(series: list[ObjectSeries]) -> float:
     return 100 * _mean(np.concatenate(within))
 
 
+def largest_static_error(series: list[ObjectSeries]) -> float:
+    """Largest error of a static object in any direction, from SETTLED_S after it entered the map
+    [m/s]; NaN without a static object."""
+    errors = [
+        np.abs(found.estimate - found.truth)[found.time - found.time[0] >= SETTLED_S]
+        for found in series
+        if not found.dynamic
+    ]
+    values = np.concatenate([error.ravel() for error in errors] or [np.zeros(0)])
+    return float(np.nanmax(values)) if np.isfinite(values).any() else float("nan")
+
+
+def hidden_frames(series: list[ObjectSeries]) -> float:
+    """Mean length of a time in hiding [frames]; NaN without one."""
+    return _mean(np.concatenate([np.diff(found.hidden_runs()).ravel() for found in series]))
+
+
 def score_trials(study: Study, scenario: str, method: str, score: TrialScore) -> pd.Series:
     """Replicate -> score of the trial; those without a value are left out."""
     rows = study.trials[

@@ -78,6 +78,18 @@ Value missed(const Tallies& t) {
 Value clusters_without(const Tallies& t) {
   return t.velocity.clusters_without_object().value();
 }
+Value tracks(const Tallies& t) {
+  return t.identity.tracks().value();
+}
+Value track_switches(const Tallies& t) {
+  return t.identity.switches().value();
+}
+Value occlusions_kept(const Tallies& t) {
+  return percent(t.identity.kept().value());
+}
+Value hidden_matched(const Tallies& t) {
+  return percent(t.identity.hidden_matched().value());
+}
 
 constexpr Score kScores[] = {
     {"accuracy_pct", accuracy},
@@ -99,6 +111,10 @@ constexpr Score kScores[] = {
     {"stays_not_converged_pct", not_converged},
     {"objects_missed_pct", missed},
     {"clusters_without_object_per_frame", clusters_without},
+    {"tracks_per_stay", tracks},
+    {"track_switches_per_stay", track_switches},
+    {"occlusions_kept_pct", occlusions_kept},
+    {"hidden_with_cluster_pct", hidden_matched},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "experiments/metrics/identity_score.h"
 #include "experiments/metrics/occupancy_score.h"
 #include "experiments/metrics/velocity_score.h"
 
@@ -12,6 +13,7 @@ namespace experiments {
 struct Tallies {
   OccupancyTally occupancy;
   VelocityTally velocity;  ///< stays empty for a method without clusters
+  IdentityTally identity;  ///< the same
 };
 
 /// One row. The value is absent where the score is not defined.

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "experiments/metrics/mean.h"
 #include "ldm/types.h"
 
 namespace experiments {
@@ -17,23 +18,6 @@ struct Observation {
   bool visible = false;
   Eigen::Vector3d true_velocity = Eigen::Vector3d::Zero();  ///< [m/s]
   std::optional<Eigen::Vector3d> velocity;                  ///< of the matched cluster [m/s]
-};
-
-/// Mean of what was added; none of nothing.
-class Mean {
- public:
-  void add(double value) {
-    sum_ += value;
-    ++count_;
-  }
-  std::int64_t count() const { return count_; }
-  std::optional<double> value() const {
-    return count_ > 0 ? std::optional(sum_ / static_cast<double>(count_)) : std::nullopt;
-  }
-
- private:
-  double sum_ = 0;
-  std::int64_t count_ = 0;
 };
 
 /// Follows every object through its stays in the map.

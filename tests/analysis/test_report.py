@@ -92,7 +92,41 @@ def test_the_ledger_has_every_claim_and_says_what_is_open(results):
     survival = by_statement(rows, "survival is the cause")
     assert survival.verdict == OPEN and "STUDY=ablation" in survival.ours[0]
     assert by_statement(rows, "computation time").ours == (missing("timing"),)
-    assert sum(counts(rows).values()) == len(rows) == 21
+    assert sum(counts(rows).values()) == len(rows) == 24
+
+
+def outdoor_ledger(folder, tracks, **scores):
+    """The outdoor rows where the LDM and the LDM without prediction have so many tracks a stay."""
+    frames = list(range(100))
+    records = [
+        make_record(method, seed, study="outdoor", scenario=scenario,
+                    series=[make_series(0, False, frames, 0.01), make_series(1, True, frames, 0.01)],
+                    scores={"tracks_per_stay": count + seed / 10} | scores)
+        for method, count in zip(("ldm", "no_prediction"), tracks)
+        for scenario in ("outdoor1", "outdoor2") for seed in SEEDS
+    ]  # fmt: skip
+    rows = ledger(Evidence(write_records(folder, records)))
+    return [row for row in rows if row.statement.startswith("Outdoor")]
+
+
+def test_outdoor_claims_are_judged_by_the_outdoor_study(tmp_path):
+    kept = {"hidden_with_cluster_pct": 99.0, "occlusions_kept_pct": 60.0}
+    rows = outdoor_ledger(tmp_path / "a", (1, 2), **kept)
+    assert by_statement(rows, "standing person").verdict == YES
+    assert by_statement(rows, "keeps its cluster").verdict == YES
+    assert by_statement(rows, "keeps its identity").verdict == PARTLY
+    assert by_statement(rows, "prediction is the cause").verdict == YES
+    assert by_statement(rows, "direction", "outdoor2").verdict == YES
+    rows = outdoor_ledger(tmp_path / "b", (2, 2), **kept | {"hidden_with_cluster_pct": 40.0})
+    assert by_statement(rows, "keeps its cluster").verdict == NO
+    assert by_statement(rows, "prediction is the cause").verdict == NO
+
+
+def test_outdoor_trials_too_short_for_an_occlusion_decide_nothing(tmp_path):
+    nothing = {"hidden_with_cluster_pct": None, "occlusions_kept_pct": None}
+    rows = outdoor_ledger(tmp_path, (1, 2), **nothing)
+    assert by_statement(rows, "keeps its identity").verdict == OPEN
+    assert by_statement(rows, "direction", "outdoor1").verdict == YES
 
 
 def test_without_any_result_all_is_open_and_said_so(tmp_path, index, capsys):

@@ -10,7 +10,8 @@ from analysis.series import ObjectSeries
 def series(truth, estimate, dynamic=True, first=0):
     """Ten frames a second; truth and estimate are (T, 3)."""
     frame = np.arange(first, first + len(truth))
-    return ObjectSeries(1, dynamic, frame, frame / 10, np.array(truth, float), np.array(estimate, float))
+    return ObjectSeries(1, dynamic, frame, frame / 10, np.array(truth, float), np.array(estimate, float),
+                        np.zeros(len(truth), bool))  # fmt: skip
 
 
 def test_fluctuation_is_about_the_mean_and_leaves_the_beginning_out():

@@ -24,7 +24,14 @@ ObstacleGroup shuttles() {
           .leg = {1, 4},
           .speed = {0.3, 1.5},
           .acceleration = {0.5, 2},
-          .pause = {0.2, 1}};
+          .pause = {0.2, 1},
+          .stride = {0.9, 1.3}};
+}
+
+ObstacleGroup walkers() {
+  ObstacleGroup group = shuttles();
+  group.shape = ObstacleShape::kWalker;
+  return group;
 }
 
 TEST(ObstacleMotionTest, TrapezoidalLeg) {
@@ -191,6 +198,63 @@ TEST(ObstacleTest, StateIsTheTruthOfItsSolids) {
       const Eigen::Vector3d offset = solid.T_world_solid.translation - state.position;
       const Eigen::Vector3d reach = offset.cwiseAbs() + half_extent(solid);
       EXPECT_TRUE((reach.array() <= state.size.array() / 2 + 1e-12).all());
+    }
+  }
+}
+
+/// Lowest point of a leg of `state`, seen along the way the walker faces [m].
+double foot_ahead(const ObjectState& state, std::size_t leg) {
+  const ldm::Pose& pose = state.solids[leg].T_world_solid;
+  const Eigen::Vector3d foot = pose * Eigen::Vector3d(0, 0, -state.solids[leg].size.z() / 2);
+  return (foot - state.position).dot(state.solids[0].T_world_solid.rotation.col(0));
+}
+
+TEST(WalkerTest, LegsSwingWithTheWayWalked) {
+  Random random(53);
+  const Leg way{.length = 20, .top_speed = 1, .acceleration = 1};
+  const Obstacle walker{0, draw_body(walkers(), random), 0, ObstacleMotion({way})};
+  const Gait& gait = *walker.body.gait;
+  ObjectState state, later;
+  const double reach = walker.body.solids[gait.left_leg].size.z() * std::sin(gait.widest);
+  double farthest = 0;
+  for (double t = 2; t < 12; t += 0.05) {
+    walker.state_at(t, state);
+    walker.state_at(t + gait.stride / 1.0, later);  // at 1 m/s a stride later
+    EXPECT_NEAR(foot_ahead(state, gait.left_leg), -foot_ahead(state, gait.right_leg), 1e-9);
+    EXPECT_NEAR(foot_ahead(state, gait.left_leg), foot_ahead(later, gait.left_leg), 1e-9);
+    farthest = std::max(farthest, foot_ahead(state, gait.left_leg));
+    EXPECT_EQ(state.velocity, Eigen::Vector3d(1, 0, 0)) << "that of the body";
+  }
+  EXPECT_NEAR(farthest, reach, 0.01 * reach);
+}
+
+TEST(WalkerTest, StandsUprightAtRest) {
+  Random random(59);
+  const Leg way{.length = 2, .top_speed = 1, .acceleration = 1};
+  const Obstacle walker{0, draw_body(walkers(), random), 0, ObstacleMotion({way})};
+  ObjectState state;
+  for (const double t : {-1.0, 3.0, 9.0}) {
+    walker.state_at(t, state);
+    EXPECT_NEAR(foot_ahead(state, walker.body.gait->left_leg), 0, 1e-9) << t;
+  }
+}
+
+TEST(WalkerTest, TheRadiusHoldsTheSwingingLegs) {
+  Random random(61);
+  const Leg way{.length = 20, .top_speed = 1, .acceleration = 1};
+  for (int i = 0; i < 20; ++i) {
+    const Obstacle walker{0, draw_body(walkers(), random), 0, ObstacleMotion({way})};
+    ObjectState state;
+    for (double t = 0; t < 4; t += 0.1) {
+      walker.state_at(t, state);
+      for (int k = 0; k < 300; ++k) {
+        const Eigen::Vector3d point = state.position + random_vector(1, random);
+        for (const Solid& solid : state.solids) {
+          if (!solid.contains(point)) continue;
+          EXPECT_LE((point - state.position).head<2>().norm(), walker.body.radius + 1e-12);
+          EXPECT_TRUE(((point - state.position).array().abs() <= state.size.array() / 2).all());
+        }
+      }
     }
   }
 }

@@ -24,9 +24,10 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What reading scenario1 says after one line of it was replaced.
-std::string error_with(const std::string& line, const std::string& replacement) {
-  std::string text = text_of(kFolder / "scenario1.toml");
+/// What reading a shipped scenario says after one line of it was replaced.
+std::string error_with(const std::string& line, const std::string& replacement,
+                       const std::string& name = "scenario1") {
+  std::string text = text_of(kFolder / (name + ".toml"));
   const std::size_t at = text.find(line);
   EXPECT_NE(at, std::string::npos);
   text.replace(at, line.size(), replacement);
@@ -99,7 +100,7 @@ TEST(ScenarioTest, RefusesToSetWhatIsWrongAndChangesNothing) {
   EXPECT_EQ(error("uav.leg_m", "3,2"),
             "uav.leg_m = 3,2: allowed: two numbers, the smaller first, in [0, 1000]");
   EXPECT_EQ(error("groups.boxes.shape", "ball"),
-            "groups.boxes.shape = ball: allowed: one of box, cylinder, person");
+            "groups.boxes.shape = ball: allowed: one of box, cylinder, person, walker");
   EXPECT_EQ(error("speed", "1"), "speed = 1: allowed: a key that scenarios have");
   // A group at rest has no speed, so it cannot be set in motion.
   EXPECT_EQ(error("groups.boxes.motion", "shuttle"),
@@ -119,18 +120,72 @@ TEST(ScenarioTest, NamesWhatIsWrongInAFile) {
   EXPECT_EQ(error_with("channels = 16", ""),
             "missing: sensor.channels = : allowed: an integer in [1, 1024]");
   EXPECT_EQ(error_with("shape = \"box\"", ""),
-            "missing: groups.moving_boxes.shape = : allowed: one of box, cylinder, person");
+            "groups.moving_boxes.shape is missing: allowed: one of box, cylinder, person, walker");
   EXPECT_EQ(error_with("frames = 1200", "frames = 0"),
             "frames = 0: allowed: an integer in [1, 1000000]");
   EXPECT_EQ(error_with("gap_m = ", "gap_m = -"),
             "obstacles.gap_m = -0.3: allowed: a number in [0, 100]");
   EXPECT_EQ(error_with("motion = \"shuttle\"", "motion = \"dance\""),
-            "groups.moving_boxes.motion = \"dance\": allowed: one of static, shuttle");
+            "groups.moving_boxes.motion = \"dance\": allowed: one of static, shuttle, timetable");
   EXPECT_EQ(error_with("motion = \"shuttle\"", "motion = \"static\""),
             "groups.moving_boxes.legs = 1,2: allowed: a key that scenarios have");
   EXPECT_EQ(error_with("[groups.moving_boxes]", "[groups.\"moving boxes\"]"),
             "groups.moving boxes = {...}: allowed: a name of letters, digits and _");
   EXPECT_EQ(error_with("title = ", "title = 5 #"), "title = 5: allowed: text");
+}
+
+TEST(ScenarioTest, NamesWhatIsWrongInATimetable) {
+  const auto error = [](const std::string& line, const std::string& replacement) {
+    return error_with(line, replacement, "outdoor2");
+  };
+  const std::string person = "timetable_s_m = [[3, 1.2, -3.7], [13, 1.2, 4.3]";
+  const std::string stops =
+      "allowed: stops [time, x, y], times ascending from 0 or later, places "
+      "in [-500, 500]";
+  const std::string rest = ",15,1.2,4.3,25,1.2,-3.7: ";
+  EXPECT_EQ(error(person, "timetable_s_m = [[3, 1.2, -3.7], [3, 1.2, 4.3]"),
+            "groups.person.timetable_s_m = 3,1.2,-3.7,3,1.2,4.3" + rest + stops);
+  EXPECT_EQ(error(person, "timetable_s_m = [[3, 1.2, -3.7], [13, 1.2]"),
+            "groups.person.timetable_s_m = 3,1.2,-3.7,13,1.2" + rest + stops);
+  EXPECT_EQ(error(person, "timetable_s_m = [[-3, 1.2, -3.7], [13, 1.2, 4.3]"),
+            "groups.person.timetable_s_m = -3,1.2,-3.7,13,1.2,4.3" + rest + stops);
+  EXPECT_EQ(error(person, "timetable_s_m = [[3, 1.2, -3.7], [13, 1.2, 900]"),
+            "groups.person.timetable_s_m = 3,1.2,-3.7,13,1.2,900" + rest + stops);
+  EXPECT_EQ(error("spread_m = 0.1\nlateness_s = 0.2", "spread_m = 0.1\nlateness_s = 2"),
+            "groups.person.timetable_s_m = 3,1.2,-3.7,13,1.2,4.3" + rest +
+                "allowed: stops more than twice lateness_s from one another");
+  EXPECT_EQ(error("acceleration_mps2 = [0.8", "acceleration_mps2 = [0.1")
+                .rfind("groups.person.acceleration_mps2 = 0.1,1.2: allowed: at least 0.35", 0),
+            0u);
+  EXPECT_EQ(error("stride_m = [1.1, 1.3]", ""),
+            "missing: groups.person.stride_m = : allowed: two numbers, the smaller first, in "
+            "[0.2, 3]");
+  EXPECT_EQ(error("shape = \"walker\"", "shape = \"person\""),
+            "groups.person.stride_m = 1.1,1.3: allowed: a key that scenarios have");
+  EXPECT_EQ(error("drift_m = 0.03", "waypoints = 5"),
+            "uav.waypoints = 5: allowed: a key that scenarios have");
+  EXPECT_EQ(error("[13, 0, 3.5, 1.1]", "[13, 0, 3.5]"),
+            "uav.timetable_s_m = 3,0,-4.5,1.1,13,0,3.5,15,0,3.5,1.1,25,0,-4.5,1.1: allowed: stops "
+            "[time, x, y, z], times ascending from 0 or later, places in [-500, 500]");
+}
+
+TEST(ScenarioTest, TimetablesReadBackFromTheirText) {
+  for (const char* name : {"outdoor1", "outdoor2"}) {
+    Scenario scenario = shipped(name);
+    for (const auto& [key, value] : scenario_values(shipped(name))) {
+      EXPECT_NO_THROW(set_scenario_value(scenario, key, value)) << key;
+    }
+    EXPECT_EQ(scenario_values(scenario), scenario_values(shipped(name)));
+  }
+}
+
+TEST(ScenarioTest, EveryKeyIsDocumented) {
+  const std::string text = text_of(std::filesystem::path(LDM_SOURCE_DIR) / "docs" / "scenarios.md");
+  for (const char* name : {"scenario1", "scenario2", "scenario3", "outdoor1", "outdoor2"}) {
+    for (const auto& [key, value] : scenario_values(shipped(name))) {
+      EXPECT_NE(text.find(key.substr(key.rfind('.') + 1) + '`'), std::string::npos) << key;
+    }
+  }
 }
 
 TEST(ScenarioTest, NamesTheLine) {
@@ -155,6 +210,12 @@ TEST(ScenarioTest, ATruncatedFileIsRefused) {
 
 TEST(ScenarioTest, AMissingFileIsRefused) {
   EXPECT_THROW(read_scenario(kFolder / "scenario0.toml"), ldm::InvalidInput);
+}
+
+TEST(ScenarioTest, TheHashesOfThePublishedStudyStay) {
+  EXPECT_EQ(scenario_hash(shipped("scenario1")), "3b1fff5520a76b30");
+  EXPECT_EQ(scenario_hash(shipped("scenario2")), "e88d6e1942472fbc");
+  EXPECT_EQ(scenario_hash(shipped("scenario3")), "d95e7880c8e9875a");
 }
 
 TEST(ScenarioTest, TheHashTellsDescriptionsApart) {

@@ -22,7 +22,7 @@ TEST_F(Program, ListsWhatThereIs) {
 
 TEST_F(Program, EveryHelpHasAnExample) {
   for (const char* command : {"methods", "scenarios", "parameters", "studies", "trials", "trial",
-                              "simulate", "run", "render"}) {
+                              "simulate", "run", "score", "render", "view"}) {
     const Result result = ldm(std::string(command) + " --help");
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Example: ldm " + std::string(command)), std::string::npos)
@@ -87,13 +87,13 @@ TEST_F(Program, AFailedTrialLeavesARecordAndCodeOne) {
   EXPECT_NE(folder_.read("r.json").find("\"status\": \"failed\""), std::string::npos);
 }
 
-TEST_F(Program, RunWritesThreeTables) {
+TEST_F(Program, RunWritesItsTables) {
   const Result result = ldm("run ldm scenario1 -o o" + std::string(kSmall));
   EXPECT_EQ(result.code, 0) << result.error;
   EXPECT_EQ(result.error, "");  // no progress line: stderr is no terminal
   EXPECT_EQ(folder_.read("o/clusters.csv")
-                .rfind("frame,time_s,cluster,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,"
-                       "vx_mps,vy_mps,vz_mps,voxels,dynamic\n0,0.000000,0,",
+                .rfind("frame,time_s,cluster,track,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,"
+                       "vx_mps,vy_mps,vz_mps,voxels,points,dynamic\n0,0.000000,0,1,",
                        0),
             0u);
   EXPECT_EQ(lines(folder_.read("o/timing.csv")), 5u);
@@ -125,7 +125,7 @@ TEST_F(Program, ARecordedLogRunsLikeItsScenario) {
 
 TEST_F(Program, RefusesBadRuns) {
   expect_bad("run kalman scenario1 -o o", "unknown method kalman: allowed: ldm");
-  expect_bad("run ldm moon -o o", "unknown scenario moon: allowed: a .toml file, scenario1");
+  expect_bad("run ldm moon -o o", "unknown scenario moon: allowed: a .toml file, outdoor1");
   expect_bad("run ldm scenario1 -o o --set map.colour=3", "--set: unknown parameter map.colour");
   expect_bad("run ldm scenario1 -o o --set map.voxels=4", "--set: map.voxels = 4: allowed: ");
   expect_bad("run ldm scenario1 -o o --set particles.count=1.5", "particles.count = 1.5");

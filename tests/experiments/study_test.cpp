@@ -171,7 +171,7 @@ TEST(StudyErrors, OfTheOutermostKeys) {
 
 TEST(StudyErrors, OfScenarios) {
   EXPECT_NE(error_of(with_line(2, "scenarios = [\"moon\"]"))
-                .find("tiny.toml:2: unknown scenario moon: allowed: a .toml file, scenario1"),
+                .find("tiny.toml:2: unknown scenario moon: allowed: a .toml file, outdoor1"),
             std::string::npos);
   EXPECT_NE(error_of(with_line(2, "scenarios = [\"scenario1\", \"scenario1\"]"))
                 .find("tiny.toml:2: scenario1 comes twice"),

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "experiments/seeds.h"
 #include "tests/experiments/temporary_folder.h"
 
@@ -62,11 +64,38 @@ TEST_F(TrialOfATinyStudy, SeesTheWorldOfItsReplicateWhateverMethodAndPoint) {
   EXPECT_EQ(ldm.parameters.execution.seed, ldm.filter_seed);
 }
 
+TEST_F(TrialOfATinyStudy, TellsTheTracksOfPeopleWhileOneIsHidden) {
+  TrialRequest outdoor = request("outdoor1.ldm.s001");
+  outdoor.study = folder_
+                      .write("people.toml",
+                             "title = \"people\"\nscenarios = [\"outdoor1\"]\n"
+                             "methods = [\"ldm\"]\nseeds = 1\nframes = 150\nseries = true\n"
+                             "[set]\n\"particles.count\" = 20000\n")
+                      .string();
+  const std::vector<VelocitySeries> people = run_trial(outdoor).evaluation.series;
+  ASSERT_EQ(people.size(), 3u);
+  const auto hidden = [&](std::size_t k) {
+    return std::count(people[k].visible.begin(), people[k].visible.end(), false);
+  };
+  EXPECT_EQ(hidden(0), 0);
+  EXPECT_EQ(hidden(1), 0);
+  EXPECT_GE(hidden(2), 2);
+  for (const VelocitySeries& person : people) {
+    EXPECT_EQ(person.track.size(), person.frame.size());
+    EXPECT_EQ(person.track[30].has_value(), person.velocity[30].has_value());
+  }
+  EXPECT_NE(people[1].track[30], people[2].track[30]);
+  const std::string text = record_text(run_trial(outdoor));
+  EXPECT_NE(text.find("\"visible\":[true,"), std::string::npos);
+  EXPECT_EQ(text.find("\"occlusions_kept_pct\":null"), std::string::npos);
+}
+
 TEST_F(TrialOfATinyStudy, AMethodWithoutClustersHasNoVelocityScores) {
   const std::string text = record_text(run_trial(request("scenario1.circular_buffer.p01.s001")));
   EXPECT_NE(text.find("\"dynamic_velocity_error_mps\":null"), std::string::npos);
   EXPECT_NE(text.find("\"objects_missed_pct\":null"), std::string::npos);
   EXPECT_NE(text.find("\"clusters_without_object_per_frame\":null"), std::string::npos);
+  EXPECT_NE(text.find("\"tracks_per_stay\":null"), std::string::npos);
   EXPECT_NE(text.find("\"series\": []"), std::string::npos);
   EXPECT_EQ(text.find("\"accuracy_pct\":null"), std::string::npos);
 }

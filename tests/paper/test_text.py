@@ -19,6 +19,7 @@ ALLOWED = [
         r"(?:Sec\.|Fig\.|Eq\.|Eqs\.)[~ ]\d[\d.]*(?:, ?\d[\d.]*)*",  # places of the paper
         r"(?:Figures?|Tables?)[~ ]\d+(?:--\d+)?",
         r"[Ss]cenarios? \d",  # names of the paper
+        r"\\code\{outdoor[12]\}",  # names of ours
         r"\[(?:9|11|9,11)\]",  # its references
         r"[Cc]ase[~ ][12]",
         r"TX2",

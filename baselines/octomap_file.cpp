@@ -1,0 +1,59 @@
+#include "baselines/octomap_file.h"
+
+#include <octomap/OcTree.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "baselines/octomap_keys.h"
+
+namespace baselines {
+namespace {
+
+void check_reach(const ldm::LocalMap& map) {
+  const ldm::VoxelIndex end = map.window.origin + map.window.size;
+  if ((map.window.origin.array() >= -kVoxelsToBorder).all() &&
+      (end.array() <= kVoxelsToBorder).all()) {
+    return;
+  }
+  std::ostringstream message;
+  message << "map: voxels from (" << map.window.origin.transpose() << ") on: no .bt file holds them"
+          << "; allowed: " << -kVoxelsToBorder << " to " << kVoxelsToBorder - 1;
+  throw ldm::InvalidInput(message.str());
+}
+
+/// As `octomap::OcTree::writeBinary`, which in Debian's build also prints " done." on stderr.
+void write(const octomap::OcTree& tree, const std::filesystem::path& file) {
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
+         << "\nres " << tree.getResolution() << "\ndata\n";
+  if (stream) tree.writeBinaryData(stream);
+  if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written: disk full?");
+}
+
+}  // namespace
+
+void write_bt(const ldm::LocalMap& map, const std::filesystem::path& file) {
+  check_reach(map);
+  octomap::OcTree tree(map.resolution);
+  const ldm::VoxelBox& window = map.window;
+  constexpr bool kLazy = true;  // inner nodes follow once, below
+  for (int z = 0; z < window.size.z(); ++z) {
+    for (int y = 0; y < window.size.y(); ++y) {
+      for (int x = 0; x < window.size.x(); ++x) {
+        const ldm::VoxelIndex v = window.origin + ldm::VoxelIndex(x, y, z);
+        const float p = map.occupancy[window.index(v)];
+        if (p == 0.5F) continue;
+        tree.setNodeValue(key_of(v),
+                          p > 0.5F ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog(),
+                          kLazy);
+      }
+    }
+  }
+  tree.updateInnerOccupancy();
+  tree.toMaxLikelihood();
+  tree.prune();
+  write(tree, file);
+}
+
+}  // namespace baselines

@@ -1,0 +1,15 @@
+#pragma once
+/// A local map as a file of OctoMap, which octovis opens (no paper section).
+#include <filesystem>
+
+#include "ldm/types.h"
+
+namespace baselines {
+
+/// Write the occupied (P > 0.5) and the free (P < 0.5) voxels; unknown ones are in no leaf. The
+/// format (`.bt`) has one bit of occupancy a leaf, no probability.
+/// @throws ldm::InvalidInput on a map beyond OctoMap's 32,768 voxels from the origin,
+/// std::runtime_error if the file cannot be written.
+void write_bt(const ldm::LocalMap& map, const std::filesystem::path& file);
+
+}  // namespace baselines

@@ -1,0 +1,171 @@
+/// `ldm run` on recordings, from outside: presets, input.* parameters, broken frames.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/experiments/program.h"
+
+namespace experiments {
+namespace {
+
+constexpr char kFew[] = " --set particles.count=20000 --set execution.threads=1 ";
+
+/// A KITTI drive of four scans along a level street with a wall to the left and a pole.
+class RecordingRun : public Program {
+ protected:
+  void SetUp() override {
+    std::string times, poses;
+    for (int k = 0; k < 4; ++k) {
+      write_scan(k);
+      times += std::to_string(0.1 * k) + "\n";
+      poses += "1 0 0 " + std::to_string(0.8 * k) + " 0 1 0 0 0 0 1 0\n";
+    }
+    folder_.write("drive/times.txt", times);
+    folder_.write("drive/poses.txt", poses);
+  }
+
+  void write_scan(int k) const {
+    std::vector<float> points;
+    const auto add = [&](double x, double y, double z) {
+      for (const double n : {x - 0.8 * k, y, z, 0.0}) points.push_back(static_cast<float>(n));
+    };
+    for (double x = -20; x < 20; x += 0.4) {
+      for (double y = -10; y < 10; y += 0.4) add(x, y, -1.7);
+    }
+    for (double x = -20; x < 20; x += 0.2) {
+      for (double z = -1.4; z < 1; z += 0.2) add(x, 10, z);
+    }
+    for (double z = -1.6; z < 0; z += 0.1) add(8, -3, z);
+    char name[32];
+    std::snprintf(name, sizeof name, "drive/velodyne/%06d.bin", k);
+    folder_.write(name, std::string(reinterpret_cast<const char*>(points.data()),
+                                    points.size() * sizeof(float)));
+  }
+
+  std::string summary() const { return folder_.read("o/summary.json"); }
+  void expect_in_summary(const std::string& text) const {
+    EXPECT_NE(summary().find(text), std::string::npos) << text;
+  }
+};
+
+TEST_F(RecordingRun, ADriveRunsWithAPresetAlone) {
+  const Result result = ldm("run ldm drive -c road -o o --set execution.threads=1");
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_EQ(result.error, "");
+  expect_in_summary("\"frames\": 4");
+  expect_in_summary("\"map.voxels\":[128,128,32]");
+  expect_in_summary("\"input.ground.removal\":\"grid\"");
+  expect_in_summary("\"nearer than input.min_range_m\":");
+  expect_in_summary("\"on the ground\":");
+  EXPECT_EQ(summary().find("scores"), std::string::npos);
+  // The wall and the pole, and no street below them.
+  const std::string clusters = folder_.read("o/clusters.csv");
+  const std::size_t last = clusters.find("\n3,");
+  ASSERT_NE(last, std::string::npos);
+  EXPECT_EQ(lines(clusters.substr(last + 1)), 2u) << clusters.substr(last + 1);
+}
+
+TEST_F(RecordingRun, SettingsAreStrongerThanThePreset) {
+  const Result result =
+      ldm("run ldm drive -c road -o o --set map.resolution_m=0.5 --set "
+          "map.voxels=64,64,16 --set input.ground.removal=none" +
+          std::string(kFew));
+  EXPECT_EQ(result.code, 0) << result.error;
+  expect_in_summary("\"map.voxels\":[64,64,16]");
+  expect_in_summary("\"input.ground.removal\":\"none\"");
+  EXPECT_EQ(summary().find("on the ground"), std::string::npos);
+}
+
+TEST_F(RecordingRun, APresetSaysNothingToMethodsThatDoNotAsk) {
+  const Result result = ldm("run current_scan drive -c road -o o");
+  EXPECT_EQ(result.code, 0) << result.error;
+  folder_.write("mine.toml", "[particles]\ncount = 500\n");
+  expect_bad("run current_scan drive -c mine.toml -o o", "parameters that current_scan uses");
+}
+
+TEST_F(RecordingRun, EveryPresetRuns) {
+  for (const char* preset : {"uav", "road", "indoor"}) {
+    const Result result = ldm("run ldm drive -o o -c " + std::string(preset) + kFew);
+    EXPECT_EQ(result.code, 0) << preset << ": " << result.error;
+  }
+  EXPECT_EQ(ldm("run ldm scenario1 -c uav --frames 2 -o o" + std::string(kFew)).code, 0);
+  expect_bad("run ldm drive -c moon -o o", "unknown preset moon: allowed: a .toml file, indoor");
+}
+
+TEST_F(RecordingRun, ThePaperValuesAreThePresetUav) {
+  ASSERT_EQ(ldm("run ldm scenario1 --frames 2 -o plain" + std::string(kFew)).code, 0);
+  ASSERT_EQ(ldm("run ldm scenario1 --frames 2 -c uav -o o" + std::string(kFew)).code, 0);
+  EXPECT_EQ(folder_.read("o/clusters.csv"), folder_.read("plain/clusters.csv"));
+}
+
+TEST_F(RecordingRun, BrokenFramesEndTheRunOrAreCounted) {
+  const std::filesystem::path scan = folder_.path() / "drive/velodyne/000002.bin";
+  std::filesystem::resize_file(scan, 1000);
+  const std::string run = "run current_scan drive -c road -o o";
+  expect_bad(run, "drive/velodyne/000002.bin: byte 1000: the file ends");
+  EXPECT_FALSE(exists("o/summary.json"));
+  const Result result = ldm(run + " --keep-going");
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_EQ(result.error, "ldm: 1 frames skipped: 1 broken scan\n");
+  expect_in_summary("\"frames\": 3");
+  expect_in_summary("\"frames_skipped\":{\"broken scan\":1}");
+  // The frames keep their numbers in the recording.
+  const std::string timing = folder_.read("o/timing.csv");
+  EXPECT_NE(timing.find("\n3,"), std::string::npos) << timing;
+  EXPECT_EQ(timing.find("\n2,"), std::string::npos) << timing;
+  folder_.write("drive/poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  expect_bad(run, "drive/poses.txt: 1 lines: allowed: 4, one for each scan, or --keep-going");
+}
+
+TEST_F(RecordingRun, OptionsWithoutAnEffectAreRefused) {
+  expect_bad("run ldm scenario1 -o o --set input.min_range_m=2",
+             "--set: input.min_range_m = 2: allowed: with a recording (KITTI, PCD, MRPT)");
+  expect_bad("run ldm scenario1 -o o -c road", "road.toml:");
+  expect_bad("run ldm scenario1 -o o --keep-going", "--keep-going: allowed: with a log");
+  expect_bad("run ldm scenario1 -o o --poses p.txt", "--poses p.txt: allowed: with a recording");
+  expect_bad("run ldm scenario1 -o o --times t.txt", "--times t.txt: allowed: with a recording");
+  expect_bad("run ldm drive --seed 3 -o o", "--seed 3: allowed: with a scenario");
+  ASSERT_EQ(ldm("simulate scenario1 --frames 2 -o a.rawlog").code, 0);
+  expect_bad("run ldm a.rawlog -o o --set input.ground.removal=plane", "allowed: with a recording");
+  expect_bad("run ldm a.rawlog -o o --times t.txt", "--times t.txt: allowed: with a recording");
+}
+
+TEST_F(RecordingRun, BadInputsNameWhatIsAllowed) {
+  expect_bad("run ldm drive --format bag -o o",
+             "--format bag: allowed: ldm-rawlog, mrpt-rawlog, kitti, pcd");
+  expect_bad("run ldm drive --format pcd -o o", "drive: has no scans (*.pcd)");
+  expect_bad("run ldm no/drive -o o", "no/drive: cannot be read: no such file");
+  expect_bad("run ldm drive -o o --set input.ground.removal=flat", "allowed: none, plane, grid");
+  expect_bad("run ldm drive -o o --set input.min_range_m=9 --set input.max_range_m=8",
+             "input.min_range_m = 9: allowed: at most input.max_range_m = 8");
+  expect_bad("run ldm drive -o o --set input.colour=red", "unknown parameter input.colour");
+  std::filesystem::create_directory(folder_.path() / "empty");
+  expect_bad("run ldm ./empty -o o", "./empty: no recording: allowed: a KITTI folder");
+}
+
+TEST_F(RecordingRun, APackagedSweepRunsIndoors) {
+  const std::string log =
+      "run ldm /usr/share/mrpt/datasets/test_velodyne_VLP16.rawlog -o o -c indoor";
+  expect_bad(log, "has no CObservationRobotPose: allowed: --set input.poses=still");
+  const Result result = ldm(log + " --set input.poses=still" + kFew);
+  EXPECT_EQ(result.code, 0) << result.error;
+  expect_in_summary("\"frames\": 1");
+}
+
+TEST_F(RecordingRun, ParametersListThoseOfRecordings) {
+  for (const char* arguments : {"parameters", "parameters octomap"}) {
+    EXPECT_NE(ldm(arguments).out.find("input.ground.removal"), std::string::npos);
+  }
+}
+
+TEST_F(RecordingRun, ADriveCanBeDrawn) {
+  const Result result = ldm("render ldm drive -c road --frame 2 -o map.png" + std::string(kFew));
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_TRUE(exists("map.png"));
+}
+
+}  // namespace
+}  // namespace experiments

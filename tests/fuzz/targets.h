@@ -1,0 +1,21 @@
+#pragma once
+/// The readers as a fuzzer calls them: any bytes must read as frames or be refused in one line.
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace fuzz {
+
+/// Each throws std::logic_error on a broken promise: another exception than ldm::InvalidInput, a
+/// message of several lines, or a frame that no mapper takes.
+void pcd(const std::string& bytes);         ///< a PCD file
+void trajectory(const std::string& bytes);  ///< a TUM or KITTI trajectory
+/// times.txt, poses.txt, calib.txt and a scan of a KITTI folder, with a line `---` between them.
+void kitti(const std::string& bytes);
+void mrpt_log(const std::string& bytes);  ///< a rawlog, plain or compressed
+
+/// Every target with its name, which is that of its corpus.
+inline constexpr std::pair<std::string_view, void (*)(const std::string&)> kTargets[] = {
+    {"pcd", pcd}, {"trajectory", trajectory}, {"kitti", kitti}, {"mrpt_log", mrpt_log}};
+
+}  // namespace fuzz
