@@ -207,11 +207,15 @@ define draw
 $(foreach script,$(or $(scripts_$(STUDY)),sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
 endef
 
+# Lines of input, JOBS at a time: each in place of {}, or the words of each as arguments.
+each = xargs -P '$(JOBS)' -I{}
+per_line = xargs -P '$(JOBS)' -L1
+
 # Figure 5 needs a recorded world of each scenario, Figures 6 to 9 the records. Prints what it made.
 define draw_figures
 mkdir -p $(RESULTS)/$(call folder,worlds) && \
-for scenario in scenario1 scenario2 scenario3; do $(LDM) simulate $$scenario --seed 1 \
-  $(if $(FRAMES),--frames '$(FRAMES)') -o $(RESULTS)/$(call folder,worlds)/$$scenario.rawlog || exit 1; done && \
+printf '%s\n' scenario1 scenario2 scenario3 | $(each) $(LDM) simulate {} --seed 1 \
+  $(if $(FRAMES),--frames '$(FRAMES)') -o $(RESULTS)/$(call folder,worlds)/{}.rawlog && \
 $(call analyse,figure5,worlds) && \
 $(call analyse,velocity_figures,table1)
 endef
@@ -223,10 +227,9 @@ flight := $(RESULTS)/flight
 flight_pictures := $(addprefix outdoor1.frame,60 112 136 205) $(addprefix outdoor2.frame,60 85 110 200)
 define draw_flight
 mkdir -p $(flight) && rm -f $(flight)/*.frame*.png && \
-for scenario in outdoor1 outdoor2; do \
-  $(LDM) simulate $$scenario --seed 1 -o $(flight)/$$scenario.rawlog || exit 1; done && \
-for picture in $(flight_pictures); do $(LDM) render ldm $${picture%.*} --seed 1 --frame $${picture#*.frame} \
-  -o $(flight)/$$picture.png || exit 1; done && \
+printf '%s\n' outdoor1 outdoor2 | $(each) $(LDM) simulate {} --seed 1 -o $(flight)/{}.rawlog && \
+for picture in $(flight_pictures); do echo ldm $${picture%.*} --seed 1 --set execution.threads=1 \
+  --frame $${picture#*.frame} -o '$(flight)'/$$picture.png; done | $(per_line) $(LDM) render && \
 $(PYTHON) -m analysis.flight_figures --results $(RESULTS)
 endef
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 
 #include "experiments/run_tables.h"
 
@@ -18,6 +19,7 @@ constexpr std::array<Colour, 6> kPalette{
     {{86, 180, 233}, {230, 159, 0}, {0, 158, 115}, {204, 121, 167}, {0, 114, 178}, {240, 228, 66}}};
 constexpr float kArrowTime = 1.0F;  // [s]
 constexpr float kAbove = 0.15F;     // [m]
+constexpr std::size_t kMostArrows = 12;
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -46,9 +48,20 @@ void add_cubes(const ldm::LocalMap& map, const std::vector<std::size_t>& colours
   }
 }
 
+/// The dynamic clusters that have an arrow: more of them hide one another.
+std::vector<ldm::Cluster> largest_dynamic(const ldm::LocalMap& map) {
+  std::vector<ldm::Cluster> clusters;
+  std::copy_if(map.clusters.begin(), map.clusters.end(), std::back_inserter(clusters),
+               [](const ldm::Cluster& c) { return c.dynamic; });
+  std::stable_sort(
+      clusters.begin(), clusters.end(),
+      [](const ldm::Cluster& a, const ldm::Cluster& b) { return a.voxels > b.voxels; });
+  if (clusters.size() > kMostArrows) clusters.resize(kMostArrows);
+  return clusters;
+}
+
 void add_arrows(const ldm::LocalMap& map, Picture& picture) {
-  for (const ldm::Cluster& c : map.clusters) {
-    if (!c.dynamic) continue;
+  for (const ldm::Cluster& c : largest_dynamic(map)) {
     // Above the cluster, whose cubes would hide it.
     const ldm::Point from = c.position + ldm::Point(0, 0, c.size.z() / 2 + kAbove);
     picture.arrows.push_back({from, from + kArrowTime * c.velocity,
@@ -72,7 +85,9 @@ void add_words(const datasets::Frame& frame, const ldm::LocalMap& map, Picture& 
       std::any_of(picture.cubes.begin(), picture.cubes.end(),
                   [](const auto& cube) { return cube.colour == kNoClusterColour; });
   if (any_grey) picture.cube_keys.push_back({{kNoClusterColour}, "occupied, in no cluster"});
-  picture.arrow_key = "velocity: motion in 1 s";
+  picture.arrow_key = dynamic_clusters(map) > static_cast<std::int64_t>(kMostArrows)
+                          ? formatted("velocity of the %zu largest: motion in 1 s", kMostArrows)
+                          : "velocity: motion in 1 s";
 }
 
 }  // namespace

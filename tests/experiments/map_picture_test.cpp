@@ -75,6 +75,23 @@ TEST(MapPicture, ClustersHaveColoursAndTheMovingOnesArrows) {
   EXPECT_EQ(picture.cube_keys.size(), 1u);
 }
 
+TEST(MapPicture, OfManyMovingClustersTheLargestHaveArrows) {
+  ldm::LocalMap map = small_map();
+  for (int i = 0; i < 30; ++i) {
+    map.clusters.push_back({.position = {1.25F, 0.25F, 0.25F},
+                            .size = {0.5F, 0.5F, 0.5F},
+                            .velocity = {static_cast<float>(i), 0, 0},
+                            .voxels = i % 2 == 0 ? 1 : i,
+                            .dynamic = true});
+  }
+  const Picture picture = picture_of(small_frame(), map, std::vector<std::size_t>(30, 0), "");
+  ASSERT_EQ(picture.arrows.size(), 12u);
+  EXPECT_EQ(picture.arrows.front().label, "29.0 m/s");
+  EXPECT_EQ(picture.arrows.back().label, "7.0 m/s");
+  EXPECT_EQ(picture.arrow_key, "velocity of the 12 largest: motion in 1 s");
+  EXPECT_EQ(picture.heading.back(), "30 clusters, 30 dynamic");
+}
+
 TEST(MapPicture, GreyVoxelsBesideClustersAreExplained) {
   ldm::LocalMap map = small_map();
   map.labels[0] = 0;
