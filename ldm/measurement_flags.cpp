@@ -43,6 +43,11 @@ VoxelIndex voxel_inside(const Eigen::Vector3f& p, const Eigen::Vector3i& size) {
   return p.cast<int>().cwiseMax(0).cwiseMin((size.array() - 1).matrix());
 }
 
+/// Always written: whether it has to be looks like chance.
+void raise(std::uint8_t& f, std::uint8_t to) {
+  f = std::max(f, to);
+}
+
 }  // namespace
 
 MeasurementFlags::MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows,
@@ -73,8 +78,8 @@ void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
     Part& part = parts_[static_cast<std::size_t>(number)];
     std::fill(part.flags.begin(), part.flags.end(), flag::kNone);
     mark_ends(scan, number, part);
-    for (const VoxelIndex& voxel : part.borders) cast(voxel, false, part);
-    for (const VoxelIndex& voxel : part.hits) cast(voxel, true, part);
+    cast(part.borders, false, part);
+    cast(part.hits, true, part);
   });
   if (parts_.size() > 1) combine();
 }
@@ -137,25 +142,64 @@ void MeasurementFlags::end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& 
   (flag == flag::kOccupied ? part.hits : part.borders).push_back(voxel);
 }
 
-/// The ray from the sensor through the centre of `end`: free before it and, after a hit, shadow.
-void MeasurementFlags::cast(const VoxelIndex& end, bool hit, Part& part) const {
+/// One ray through the centre of each voxel: free before it and, after a hit, shadow.
+void MeasurementFlags::cast(std::span<const VoxelIndex> ends, bool hit, Part& part) const {
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    const bool is_pair = i + 1 < ends.size();
+    FreeRay first = ray_to(ends[i]);
+    FreeRay second = is_pair ? ray_to(ends[i + 1]) : FreeRay{};
+    walk_both(first, second, part);
+    walk_on(first, hit, part);
+    if (is_pair) walk_on(second, hit, part);
+  }
+}
+
+/// The ray from the sensor to the centre of `end`.
+MeasurementFlags::FreeRay MeasurementFlags::ray_to(const VoxelIndex& end) const {
   const Eigen::Vector3f direction = end.cast<float>().array() + 0.5F - sensor_.array();
   const Stretch inside = clip(sensor_, direction, window_.size.cast<float>());
-  if (!(inside.first < 1)) return;    // the sensor sits outside the map, the voxel on its border
-  if (inside.last == kNever) return;  // in the very middle of the voxel: no direction
+  if (!(inside.first < 1)) return {};    // the sensor sits outside the map, the voxel on its border
+  if (inside.last == kNever) return {};  // in the very middle of the voxel: no direction
   const VoxelIndex start = voxel_inside(sensor_ + inside.first * direction, window_.size);
-  VoxelWalk walk(sensor_, direction, inside.last, start, window_.size);
   // The centre is half a voxel from the walls of `end`: rounding cannot carry a wall across t = 1.
-  for (int steps = (end - start).cwiseAbs().sum(); steps > 0; --steps) {
-    part.raise(walk.index(), flag::kFree);
-    walk.advance();
+  return {direction, end, VoxelWalk(sensor_, direction, inside.last, start, window_.size),
+          (end - start).cwiseAbs().sum()};
+}
+
+/// Through free space along two rays at a time, to the end of the shorter: the processor steps
+/// along one while it waits for the other, which takes three quarters of the time at 128^3.
+void MeasurementFlags::walk_both(FreeRay& a, FreeRay& b, Part& part) const {
+  const int both = std::min(a.steps, b.steps);
+  VoxelWalk walk_a = a.walk;  // copies: nothing that the loop writes can be a part of them
+  VoxelWalk walk_b = b.walk;
+  std::uint8_t* const flags = part.flags.data();
+  for (int step = 0; step < both; ++step) {
+    raise(flags[walk_a.index()], flag::kFree);
+    raise(flags[walk_b.index()], flag::kFree);
+    walk_a.step();
+    walk_b.step();
   }
-  if (!hit || !shadows_) return;
-  const float flags_per_t = direction.norm() * flag::kStepsPerVoxel;
+  a.walk = walk_a;
+  b.walk = walk_b;
+  a.steps -= both;
+  b.steps -= both;
+}
+
+/// To the end and, after a hit, on through its shadow.
+void MeasurementFlags::walk_on(const FreeRay& ray, bool hit, Part& part) const {
+  VoxelWalk walk = ray.walk;
+  for (int step = 0; step < ray.steps; ++step) {
+    raise(part.flags[walk.index()], flag::kFree);
+    walk.step();
+  }
+  if (!hit || !shadows_ || ray.direction.isZero(0)) return;
+  const float flags_per_t = ray.direction.norm() * flag::kStepsPerVoxel;
   float t = walk.leaves_at();
-  while (walk.advance()) {
+  BorderAhead border(ray.direction, ray.end, window_.size);
+  while (border.inside_after(walk.step())) {
     const float behind = std::min((t - 1) * flags_per_t + kRounding, float{flag::kShadow - 1});
-    part.raise(walk.index(), static_cast<std::uint8_t>(flag::kShadow - static_cast<int>(behind)));
+    raise(part.flags[walk.index()],
+          static_cast<std::uint8_t>(flag::kShadow - static_cast<int>(behind)));
     t = walk.leaves_at();
   }
 }

@@ -8,6 +8,7 @@
 #include "ldm/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/types.h"
+#include "ldm/voxel_walk.h"
 
 namespace ldm {
 
@@ -32,15 +33,22 @@ class MeasurementFlags {
     std::vector<std::uint8_t> flags;
     std::vector<VoxelIndex> hits;     // voxels with a return, each once, from the window's lowest
     std::vector<VoxelIndex> borders;  // voxels in which rays leave the map, each once
-    void raise(std::size_t index, std::uint8_t flag) {
-      if (flags[index] < flag) flags[index] = flag;
-    }
   };
   void mark_ends(const Scan& scan, int number, Part& part) const;
   void mark_ends(std::span<const Point> rays, bool for_ever, int number, Part& part) const;
   void mark_end_from_outside(const Eigen::Vector3f& direction, bool for_ever, Part& part) const;
   void end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& part) const;
-  void cast(const VoxelIndex& end, bool hit, Part& part) const;
+  /// A ray and how far it has come; one without a direction crosses nothing.
+  struct FreeRay {
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+    VoxelIndex end = VoxelIndex::Zero();  // voxel in which it ends
+    VoxelWalk walk;
+    int steps = 0;  // from where it is to `end`
+  };
+  void cast(std::span<const VoxelIndex> ends, bool hit, Part& part) const;
+  FreeRay ray_to(const VoxelIndex& end) const;
+  void walk_both(FreeRay& a, FreeRay& b, Part& part) const;
+  void walk_on(const FreeRay& ray, bool hit, Part& part) const;
   void combine();
 
   double resolution_;

@@ -18,6 +18,7 @@ namespace ldm {
 /// alone, and takes a third of the time of the branches, guessed wrongly, of floating point.
 class VoxelWalk {
  public:
+  VoxelWalk() = default;  ///< goes nowhere
   /// @param origin of the ray, in voxels from the box's lowest corner
   /// @param direction per unit of t, in voxels; not zero
   /// @param exit t > 0 at which the ray leaves the box for good
@@ -33,7 +34,6 @@ class VoxelWalk {
       const float to_wall = static_cast<float>(voxel[axis] + (up ? 1 : 0)) - origin[axis];
       const bool moves = direction[axis] != 0;
       step_[axis] = up ? stride[axis] : -stride[axis];
-      left_[axis] = up ? size[axis] - 1 - voxel[axis] : voxel[axis];
       // What lies beyond the exit is never met: bounds keep the sums in an integer.
       between_[axis] = moves ? bounded(std::abs(inverse), kLongest) : 0;
       next_[axis] = moves ? bounded(to_wall * inverse, kNever) : kNever;
@@ -47,8 +47,12 @@ class VoxelWalk {
     return static_cast<float>(std::min({next_[0], next_[1], next_[2]})) * unit_;
   }
 
-  /// Step into the next voxel; false if that lies outside the box.
-  bool advance() {
+  /// One step along the axis with a 1.
+  struct Step {
+    int x, y, z;
+  };
+  /// Into the next voxel, which may lie outside the box: see BorderAhead.
+  Step step() {
     const int x = (next_[0] <= next_[1]) & (next_[0] <= next_[2]);
     const int y = ~x & (next_[1] <= next_[2]);
     const int z = 1 - x - y;
@@ -56,10 +60,7 @@ class VoxelWalk {
     next_[0] += between_[0] & -x;
     next_[1] += between_[1] & -y;
     next_[2] += between_[2] & -z;
-    left_[0] -= x;
-    left_[1] -= y;
-    left_[2] -= z;
-    return (left_[0] | left_[1] | left_[2]) >= 0;
+    return {x, y, z};
   }
 
  private:
@@ -71,12 +72,34 @@ class VoxelWalk {
     return static_cast<std::int32_t>(std::clamp(t, 0.0F, most));
   }
 
-  float unit_;
-  int index_;
-  std::int32_t step_[3];
-  std::int32_t left_[3];  // voxels to the border of the box
-  std::int32_t between_[3];
-  std::int32_t next_[3];
+  float unit_ = 0;
+  int index_ = 0;
+  std::int32_t step_[3] = {};
+  std::int32_t between_[3] = {};
+  std::int32_t next_[3] = {};
+};
+
+/// How far the border of the box is ahead of a walk.
+class BorderAhead {
+ public:
+  /// @param voxel in which the walk is
+  BorderAhead(const Eigen::Vector3f& direction, const VoxelIndex& voxel,
+              const Eigen::Vector3i& size) {
+    for (int axis = 0; axis < 3; ++axis) {
+      left_[axis] = direction[axis] > 0 ? size[axis] - 1 - voxel[axis] : voxel[axis];
+    }
+  }
+
+  /// False if the step led out of the box.
+  bool inside_after(const VoxelWalk::Step& step) {
+    left_[0] -= step.x;
+    left_[1] -= step.y;
+    left_[2] -= step.z;
+    return (left_[0] | left_[1] | left_[2]) >= 0;
+  }
+
+ private:
+  std::int32_t left_[3];  // voxels to the border
 };
 
 }  // namespace ldm

@@ -12,7 +12,7 @@ paper: setup ## the report paper/ldm-reproduction.pdf, from the results that exi
 	  --output paper/generated
 	@cd paper && latexmk -pdf -outdir=generated -silent -interaction=nonstopmode -halt-on-error \
 	  ldm-reproduction.tex > generated/latexmk.out 2>&1 || { cat generated/latexmk.out; exit 1; }
-	@! grep -E -A1 '^Overfull|undefined' paper/generated/ldm-reproduction.log >&2
+	@! grep -E -A1 '^Overfull .hbox|undefined' paper/generated/ldm-reproduction.log >&2
 	@mv paper/generated/ldm-reproduction.pdf paper/ && echo paper/ldm-reproduction.pdf
 
 .PHONY: clean-paper

@@ -19,10 +19,11 @@ constexpr double kTolerance = 2e-3;
 std::map<std::size_t, float> walked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                                     float exit, const Eigen::Vector3i& size) {
   VoxelWalk walk(origin, direction, exit, origin.cast<int>(), size);
+  BorderAhead border(direction, origin.cast<int>(), size);
   std::map<std::size_t, float> left;
   do {
     EXPECT_TRUE(left.emplace(walk.index(), walk.leaves_at()).second) << "visited twice";
-  } while (walk.advance());
+  } while (border.inside_after(walk.step()));
   return left;
 }
 
