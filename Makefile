@@ -209,6 +209,8 @@ endef
 
 # Lines of input, JOBS at a time: each in place of {}, or the words of each as arguments.
 each = xargs -P '$(JOBS)' -I{}
+# $(call note_origin,FOLDER): what captions say of recorded worlds and pictures, analysis/recorded.py.
+note_origin = printf 'seed = 1\nprogram = "%s"\n' "$$($(LDM) --version)" > $(1)/recorded.toml
 per_line = xargs -P '$(JOBS)' -L1
 
 # Figure 5 needs a recorded world of each scenario, Figures 6 to 9 the records. Prints what it made.
@@ -216,6 +218,7 @@ define draw_figures
 mkdir -p $(RESULTS)/$(call folder,worlds) && \
 printf '%s\n' scenario1 scenario2 scenario3 | $(each) $(LDM) simulate {} --seed 1 \
   $(if $(FRAMES),--frames '$(FRAMES)') -o $(RESULTS)/$(call folder,worlds)/{}.rawlog && \
+$(call note_origin,$(RESULTS)/$(call folder,worlds)) && \
 $(call analyse,figure5,worlds) && \
 $(call analyse,velocity_figures,table1)
 endef
@@ -228,6 +231,7 @@ flight_pictures := $(addprefix outdoor1.frame,60 112 136 205) $(addprefix outdoo
 define draw_flight
 mkdir -p $(flight) && rm -f $(flight)/*.frame*.png && \
 printf '%s\n' outdoor1 outdoor2 | $(each) $(LDM) simulate {} --seed 1 -o $(flight)/{}.rawlog && \
+$(call note_origin,$(flight)) && \
 for picture in $(flight_pictures); do echo ldm $${picture%.*} --seed 1 --set execution.threads=1 \
   --frame $${picture#*.frame} -o '$(flight)'/$$picture.png; done | $(per_line) $(LDM) render && \
 $(PYTHON) -m analysis.flight_figures --results $(RESULTS)

@@ -32,6 +32,7 @@ from analysis.figure_style import (
     new_figure,
     save,
 )
+from analysis.recorded import source
 
 TRUTH_COLUMNS = ["frame", "id", "dynamic", "x_m", "y_m", "sx_m", "sy_m"]
 FRAMES_COLUMNS = ["frame", "x_m", "y_m"]
@@ -132,7 +133,7 @@ def draw(worlds_folder: Path, folder: Path) -> list[Path]:
         "Figure 5. Simulation scenarios from above: bounding boxes at the first frame, blue "
         "static, green dynamic. Green lines: paths of the dynamic obstacles; arrows: from their "
         "start to the point they get farthest to; vermillion: path of the UAV, from the dot. "
-        f"Source: {', '.join(file.name for file in files)}."
+        f"{source(files)}"
     )
     return save(worlds_figure(worlds), folder / "figure5", caption)
 

@@ -23,6 +23,7 @@ from analysis.command_line import parser, run
 from analysis.errors import InputError
 from analysis.figure5 import read_world, worlds_figure
 from analysis.figure_style import new_figure, save
+from analysis.recorded import source
 
 SCENARIOS = {"figure12": "outdoor1", "figure13": "outdoor2"}
 """Figure -> the scenario of its pictures."""
@@ -88,7 +89,7 @@ def draw(worlds: Path, folder: Path) -> list[Path]:
     caption = (
         "Figure 11. The scenarios of the flight outdoors from above: bounding boxes at the first "
         "frame, blue standing, green walking; arrows: from the start to the point farthest from it. "
-        f"Vermillion: path of the UAV, from the dot. Source: {', '.join(f.name for f in truths.values())}."
+        f"Vermillion: path of the UAV, from the dot. {source([*truths.values()])}"
     )
     worlds_read = {name: read_world(file) for name, file in truths.items()}
     figure = worlds_figure(worlds_read, WORLDS_WIDTH)
@@ -97,7 +98,7 @@ def draw(worlds: Path, folder: Path) -> list[Path]:
         pictures = pictures_of(worlds, scenario)
         caption = (
             f"Figure {name.removeprefix('figure')}. The LDM in {scenario}; numbers are the order of "
-            f"time. {LEGEND} Source: {', '.join(file.name for file in pictures.values())}."
+            f"time. {LEGEND} {source([*pictures.values()])}"
         )
         made += save(sequence_figure(pictures), folder / name, caption)
     return made
