@@ -1,5 +1,6 @@
 /// The program `ldm`: command line to calls. Exit codes: 0 good, 1 the run failed, 2 bad input.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -32,6 +33,18 @@ std::string version() {
   const experiments::Provenance p = experiments::provenance();
   return "ldm " + p.version + " (commit " + p.commit + (p.dirty ? ", changed" : "") + ", binary " +
          p.binary + ")";
+}
+
+/// For `check`: empty, or what is wrong. CLI11's own name the largest double as their bound.
+std::string at_least_zero(const std::string& text) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && value >= 0 && std::isfinite(value);
+  return good ? "" : text + ": allowed: a number from 0 on";
+}
+std::string positive(const std::string& text) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
+  return good ? "" : text + ": allowed: a number above 0";
 }
 
 /// The command line: options land in the members, `action` is what the chosen subcommand does.
@@ -125,8 +138,7 @@ class CommandLine {
                             });
     command->add_option("SCENARIO", simulate_.scenario, "name or .toml file")->required();
     command->add_option("--seed", simulate_.seed, "of the world")->capture_default_str();
-    command->add_option("--frames", simulate_.frames, "default: the scenario's")
-        ->check(CLI::PositiveNumber);
+    command->add_option("--frames", simulate_.frames, "default: the scenario's")->check(positive);
     command->add_option("-o,--output", simulate_.output, "FILE.rawlog")->required();
   }
 
@@ -140,16 +152,16 @@ class CommandLine {
             });
     add_method_and_input(command, run_);
     command->add_option("-o,--output", run_.output, "folder, made if it is missing")->required();
-    command->add_option("--frames", run_.frames, "stop after so many")->check(CLI::PositiveNumber);
+    command->add_option("--frames", run_.frames, "stop after so many")->check(positive);
     command
         ->add_option("--rate", run_.rate,
                      "play at so many times the log's own speed, and tell which frames came late")
-        ->check(CLI::PositiveNumber);
+        ->check(positive);
     command
         ->add_option("--save-frames", run_.save.frames,
                      "frames whose occupied and free voxels go to OUTPUT/maps, as in 100,200")
         ->delimiter(',')
-        ->check(CLI::NonNegativeNumber);
+        ->check(at_least_zero);
     command->add_option("--save-as", run_.save.formats, "ply, bt (OctoMap), or ply,bt")
         ->delimiter(',')
         ->capture_default_str();
@@ -168,7 +180,7 @@ class CommandLine {
     command
         ->add_option("--gate", score_.gate,
                      "how far from an object's box the centroid of its cluster may be [m]")
-        ->check(CLI::NonNegativeNumber)
+        ->check(at_least_zero)
         ->capture_default_str();
   }
 
@@ -181,14 +193,13 @@ class CommandLine {
     add_method_and_input(command, render_);
     allow_run(command);
     command->add_option("-o,--output", render_.output, "FILE.png, of one frame");
-    command->add_option("--frame", render_.frame, "its number, from 0")
-        ->check(CLI::NonNegativeNumber);
+    command->add_option("--frame", render_.frame, "its number, from 0")->check(at_least_zero);
     command->add_option("--video", render_.video, "FILE.mp4, at the log's rate; needs ffmpeg");
     command->add_option("--from", render_.from, "first frame of the film")
-        ->check(CLI::NonNegativeNumber)
+        ->check(at_least_zero)
         ->capture_default_str();
     command->add_option("--to", render_.to, "last frame of the film (default: the last of all)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(at_least_zero);
   }
 
   void add_view() {
@@ -200,7 +211,7 @@ class CommandLine {
     add_method_and_input(command, view_);
     allow_run(command);
     command->add_option("--rate", view_.rate, "times the log's own speed")
-        ->check(CLI::PositiveNumber)
+        ->check(positive)
         ->capture_default_str();
     command->add_flag("--paused", view_.paused, "begin with a pause at the first frame");
   }

@@ -136,8 +136,9 @@ TEST_F(RunOutput, VoxelsOfAPlyAreColouredByTheirTrack) {
 TEST_F(RunOutput, RefusesBadRequestsForMaps) {
   expect_bad("run ldm scenario1 -o o --save-frames 1 --save-as obj",
              "--save-as obj: allowed: ply, bt");
-  expect_bad("run ldm scenario1 -o o --save-frames -1", "--save-frames");
-  expect_bad("run ldm scenario1 -o o --rate 0", "--rate");
+  expect_bad("run ldm scenario1 -o o --save-frames -1",
+             "--save-frames: -1: allowed: a number from 0 on");
+  expect_bad("run ldm scenario1 -o o --rate 0", "--rate: 0: allowed: a number above 0");
   EXPECT_FALSE(exists("o"));
   expect_bad("run current_scan scenario1 -o o --frames 3 --save-frames 1,7",
              "--save-frames 7: allowed: frames of the run");
