@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 
@@ -135,17 +136,26 @@ TEST(Study, OptionsReplaceSeedsAndFrames) {
   EXPECT_EQ(study.frames, 3);
 }
 
-TEST(Study, TenThousandTrialsListInWellUnderASecond) {
-  const auto began = std::chrono::steady_clock::now();
-  const Study study =
-      study_of(with_line(4, "seeds = 50") +
-               "[sweep.axes]\n\"particles.count\" = {from = 100, to = 5000, steps = 50}\n");
-  std::size_t letters = 0;
-  for (const Trial& trial : trials(study)) letters += trial_id(study, trial).size();
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
-  EXPECT_EQ(study.trial_count(), 10000u);
-  EXPECT_GT(letters, 10000u * 20);
-  EXPECT_LT(elapsed.count(), 0.5);
+/// The shortest of five: reading a study of 200 trials a seed and naming all its trials [s].
+double seconds_to_list(int seeds) {
+  double shortest = 1e9;
+  for (int repetition = 0; repetition < 5; ++repetition) {
+    const auto began = std::chrono::steady_clock::now();
+    const Study study =
+        study_of(with_line(4, "seeds = " + std::to_string(seeds)) +
+                 "[sweep.axes]\n\"particles.count\" = {from = 100, to = 5000, steps = 50}\n");
+    std::size_t letters = 0;
+    for (const Trial& trial : trials(study)) letters += trial_id(study, trial).size();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
+    EXPECT_EQ(study.trial_count(), 200u * static_cast<std::size_t>(seeds));
+    EXPECT_GT(letters, study.trial_count() * 20);
+    shortest = std::min(shortest, elapsed.count());
+  }
+  return shortest;
+}
+
+TEST(Study, TenThousandTrialsListInATimeThatGrowsWithTheirNumber) {
+  EXPECT_LT(seconds_to_list(50), 40 * seconds_to_list(5));  // 10 times; quadratic would be 100
 }
 
 TEST(Study, ShippedStudiesAreGood) {
