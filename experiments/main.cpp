@@ -35,16 +35,17 @@ std::string version() {
          p.binary + ")";
 }
 
+bool is_number(const std::string& text, double& value) {
+  return CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+}
 /// For `check`: empty, or what is wrong. CLI11's own name the largest double as their bound.
 std::string at_least_zero(const std::string& text) {
   double value = 0;
-  const bool good = CLI::detail::lexical_cast(text, value) && value >= 0 && std::isfinite(value);
-  return good ? "" : text + ": allowed: a number from 0 on";
+  return is_number(text, value) && value >= 0 ? "" : text + ": allowed: a number from 0 on";
 }
 std::string positive(const std::string& text) {
   double value = 0;
-  const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
-  return good ? "" : text + ": allowed: a number above 0";
+  return is_number(text, value) && value > 0 ? "" : text + ": allowed: a number above 0";
 }
 
 /// The command line: options land in the members, `action` is what the chosen subcommand does.

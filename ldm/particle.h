@@ -1,6 +1,7 @@
 #pragma once
 /// A particle and the sum of some: paper Eq. (2), (3), (12).
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -19,52 +20,63 @@ struct Particle {
   std::uint32_t slot;       ///< of its voxel; the number of voxels once it has left the map
 
   static constexpr double kVelocityQuantum = 1.0 / 1024;  ///< [m/s]
+
+  /// A component of a velocity [m/s] in kVelocityQuantum.
+  static std::int16_t quantised(float v) {
+    const float units = v / static_cast<float>(kVelocityQuantum);
+    return static_cast<std::int16_t>(std::lround(std::clamp(units, -32768.0F, 32767.0F)));
+  }
 };
 
-/// A particle's three axes side by side: x, y, z in lanes 0 to 2; what is in lane 3 means nothing.
+/// Two neighbouring particles: x, y, z of the first in halves 0 to 2, of the second in 4 to 6; what
+/// is in halves 3 and 7 means nothing.
 ///
-/// Eight bytes from x or from vx on are one load, and the same bytes one store: arithmetic on three
-/// axes at once makes `Particles::predict` 1.7 times faster than on one after the other.
-struct ParticleLanes {
-  Lanes position;
-  Lanes velocity;
+/// Eight bytes from x or from vx on are one load, and the same bytes one store. Arithmetic on six
+/// numbers at once, none wider than it must be, makes `Particles::predict` twice as fast as
+/// arithmetic on three of 32 bits.
+struct ParticlePair {
+  Halves position;
+  Halves velocity;
 
-  explicit ParticleLanes(const Particle& p)
-      : position(reinterpret_cast<Lanes>(
-            __builtin_shufflevector(load(p, kX), Halves{}, 0, 8, 1, 9, 2, 10, 3, 11))),
-        velocity(velocity_of(p)) {}
+  explicit ParticlePair(const Particle* two) : position(load(two, kX)), velocity(load(two, kVx)) {}
 
-  /// The velocity alone: each half a lane twice, the upper of which is shifted down with its sign.
-  static Lanes velocity_of(const Particle& p) {
-    const Halves v = load(p, kVx);
-    return reinterpret_cast<Lanes>(__builtin_shufflevector(v, v, 0, 0, 1, 1, 2, 2, 3, 3)) >> 16;
+  /// Into two[0] and two[1], which are in `slots[0]` and `slots[2]` from now on.
+  void store(const Lanes& slots, Particle* two) const {
+    // Each also writes two bytes of what comes next, which is therefore written next.
+    store(position, kX, two);
+    store(velocity, kVx, two);
+    two[0].slot = static_cast<std::uint32_t>(slots[0]);
+    two[1].slot = static_cast<std::uint32_t>(slots[2]);
   }
 
-  /// Into `p`, whose slot is `slot` from now on. Positions and velocities fit 16 bits.
-  void store(std::uint32_t slot, Particle& p) const {
-    // Each also writes two bytes of what comes next, which is therefore written next.
-    store(position, kX, p);
-    store(velocity, kVx, p);
-    p.slot = slot;
+  /// vx, vy, vz of the sum of both velocities.
+  static Lanes velocity_sum(const Particle* two) {
+    const Halves v = load(two, kVx);
+    constexpr Halves kOnes{1, 1, 1, 1, 1, 1, 1, 1};
+    return sum_of_products(__builtin_shufflevector(v, v, 0, 4, 1, 5, 2, 6, 3, 7), kOnes);
   }
 
  private:
-  using Halves = std::int16_t __attribute__((vector_size(16)));
   static constexpr std::size_t kX = offsetof(Particle, x);
   static constexpr std::size_t kVx = offsetof(Particle, vx);
   static constexpr std::size_t kBytes = 8;  // three axes, and two bytes more
   static_assert(sizeof(Particle) == 16 && kVx + kBytes <= sizeof(Particle));
 
-  static Halves load(const Particle& p, std::size_t offset) {
-    std::int64_t bytes = 0;
-    std::memcpy(&bytes, reinterpret_cast<const std::byte*>(&p) + offset, kBytes);
-    using Words = std::int64_t __attribute__((vector_size(16)));
-    return reinterpret_cast<Halves>(Words{bytes, 0});
+  static Halves load(const Particle* two, std::size_t offset) {
+    Words words{};
+    for (int i = 0; i < 2; ++i) {
+      std::int64_t bytes = 0;
+      std::memcpy(&bytes, reinterpret_cast<const std::byte*>(two + i) + offset, kBytes);
+      words[i] = bytes;
+    }
+    return reinterpret_cast<Halves>(words);
   }
-  static void store(const Lanes& lanes, std::size_t offset, Particle& p) {
-    const auto all = reinterpret_cast<Halves>(lanes);
-    const auto low = __builtin_shufflevector(all, all, 0, 2, 4, 6, 0, 2, 4, 6);
-    std::memcpy(reinterpret_cast<std::byte*>(&p) + offset, &low, kBytes);
+  static void store(const Halves& halves, std::size_t offset, Particle* two) {
+    const auto words = reinterpret_cast<Words>(halves);
+    for (int i = 0; i < 2; ++i) {
+      const std::int64_t bytes = words[i];
+      std::memcpy(reinterpret_cast<std::byte*>(two + i) + offset, &bytes, kBytes);
+    }
   }
 };
 
@@ -89,19 +101,20 @@ struct VelocitySum {
     z += p.vz;
     ++particles;
   }
-  /// All axes at once. A lane holds the sum of 2^16 velocities.
+  /// Two by two, all axes at once. A lane holds the sum of 2^16 velocities.
   void add(std::span<const Particle> some) {
     constexpr std::size_t kMost = 1 << 16;
-    for (std::size_t first = 0; first < some.size(); first += kMost) {
+    while (some.size() > 1) {
+      const std::size_t two_by_two = std::min(kMost, some.size()) / 2 * 2;
       Lanes sum{};
-      for (const Particle& p : some.subspan(first, std::min(kMost, some.size() - first))) {
-        sum += ParticleLanes::velocity_of(p);
-      }
+      for (std::size_t i = 0; i < two_by_two; i += 2) sum += ParticlePair::velocity_sum(&some[i]);
       x += sum[0];
       y += sum[1];
       z += sum[2];
+      particles += static_cast<std::int64_t>(two_by_two);
+      some = some.subspan(two_by_two);
     }
-    particles += static_cast<std::int64_t>(some.size());
+    if (!some.empty()) add(some[0]);
   }
   void add(const VelocitySum& other) {
     x += other.x;

@@ -18,48 +18,66 @@ class VelocityNoise {
       : xy_(particles.sigma_xy / Particle::kVelocityQuantum),
         z_(particles.sigma_z / Particle::kVelocityQuantum) {}
 
-  /// v_k = v_{k-1} + sigma [Particle::kVelocityQuantum], from 36 random bits.  Eq. (4)
-  Lanes changed(const Lanes& v, std::uint64_t bits) const {
-    const Lanes sum = v + Lanes{xy_(bits), xy_(bits >> NormalTable::kBits),
-                                z_(bits >> 2 * NormalTable::kBits), 0};
-    const Lanes low = all_lanes(INT16_MIN);
-    const Lanes high = all_lanes(INT16_MAX);
-    const Lanes at_most = sum > high ? high : sum;
-    return at_most < low ? low : at_most;
+  /// v_k = v_{k-1} + sigma of a pair, each from 36 random bits; saturates.  Eq. (4)
+  Halves changed(const Halves& v, std::uint64_t first, std::uint64_t second) const {
+    return saturating_sum(v, Halves{x(first), y(first), z(first), 0,  //
+                                    x(second), y(second), z(second), 0});
+  }
+  /// The same of one particle.
+  void change(Particle& p, std::uint64_t bits) const {
+    p.vx = sum(p.vx, x(bits));
+    p.vy = sum(p.vy, y(bits));
+    p.vz = sum(p.vz, z(bits));
   }
 
  private:
+  std::int16_t x(std::uint64_t bits) const { return xy_(bits); }
+  std::int16_t y(std::uint64_t bits) const { return xy_(bits >> NormalTable::kBits); }
+  std::int16_t z(std::uint64_t bits) const { return z_(bits >> 2 * NormalTable::kBits); }
+  static std::int16_t sum(int a, int b) {
+    return static_cast<std::int16_t>(std::clamp(a + b, INT16_MIN, INT16_MAX));
+  }
+
   NormalTable xy_, z_;
 };
 
 /// Motion by dt in the window of a map, in fixed point.
 class ParticleMotion {
  public:
+  /// Fraction bits of a position that fits 15 bits for any voxel of a map of so many: the sixteenth
+  /// holds what is out of the map.
+  static int fraction_bits(const Eigen::Vector3i& voxels);
+
   /// @param fraction_bits of a position
   /// @param voxels_per_mps dt / resolution: voxels that 1 m/s covers
   ParticleMotion(const RingIndex& index, int fraction_bits, double voxels_per_mps);
 
-  /// x_k = x_{k-1} + dt v_k, modulo the map. Its slot; the number of slots, and a position without
-  /// meaning, if that is out of the map.  Eq. (5)
-  std::uint32_t move(Lanes& position, const Lanes& velocity) const {
-    const Lanes before = position - origin_;
-    const Lanes from_lowest =
-        unsigned_min(before, before + extent_) + ((velocity * step_ + half_) >> shift_);
-    const Lanes inside = unsigned_min(from_lowest, extent_ - 1) == from_lowest;
-    const Lanes moved = from_lowest + origin_;
-    position = unsigned_min(unsigned_min(moved, moved - extent_), extent_ - 1);
-    const Lanes part = (position >> fraction_bits_) * stride_ + (~inside & kFar);
-    return static_cast<std::uint32_t>(std::min(part[0] + part[1] + part[2], gone_));
+  /// x_k = x_{k-1} + dt v_k of a pair, modulo the map. Slots, in lanes 0 and 2; the number of
+  /// slots, and a position without meaning, where that is out of the map. Errs by a quantum of the
+  /// position, or by that of the velocity times dt if that is more.  Eq. (5)
+  Lanes move(Halves& position, const Halves& velocity) const {
+    Halves displacement = rounded_product(velocity, step_);
+    for (int i = 0; i < doublings_; ++i) displacement = saturating_sum(displacement, displacement);
+    const Halves before = position - origin_;
+    const Halves from_lowest = unsigned_min(before, before + extent_) + displacement;
+    const auto inside = unsigned_min(from_lowest, highest_) == from_lowest;
+    const Halves moved = from_lowest + origin_;
+    position = unsigned_min(moved, moved - extent_);
+    const Lanes parts = sum_of_products(position >> fraction_bits_, row_stride_) * layer_stride_;
+    const Lanes slots = parts + __builtin_shufflevector(parts, parts, 1, 1, 3, 3);
+    const auto all_inside = reinterpret_cast<Lanes>(reinterpret_cast<Words>(inside) == -1);
+    return (slots & all_inside) | (gone_ & ~all_inside);
   }
 
  private:
-  static constexpr std::int32_t kFar = 1 << 28;  // more than any slot; three of them still fit
-  Lanes extent_, origin_;                        // of the window
-  Lanes stride_;                                 // slots from voxel to voxel
-  Lanes step_, half_;  // position units per velocity unit, and a half, both times 2^shift
-  int shift_;
+  Halves extent_, origin_;  // of the window
+  Halves highest_;          // position in it
+  Halves step_;             // position units per velocity unit, times 2^(15 - doublings_)
+  int doublings_ = 0;       // 0 unless a velocity unit moves by more than a position unit
   int fraction_bits_;
-  std::int32_t gone_;
+  Halves row_stride_;   // slots from voxel to voxel along x and y; 1 along z, in layers
+  Lanes layer_stride_;  // slots from layer to layer
+  Lanes gone_;
 };
 
 }  // namespace ldm

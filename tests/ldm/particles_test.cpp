@@ -19,15 +19,15 @@ Eigen::Vector3d high_of(const ParticleFilter& filter, double resolution) {
   return (window.origin + window.size).cast<double>() * resolution;
 }
 
-// With 32 voxels per axis a voxel has 2^11 steps, and the window begins at voxel -16.  Eq. (2)
+// With 32 voxels per axis a voxel has 2^10 steps, and the window begins at voxel -16.  Eq. (2)
 TEST(ParticlesTest, PositionByHand) {
   const ParticleFilter filter(map_of({32, 32, 32}), particle_parameters(1, 0));
   Particle p{};
-  p.x = 5 * 2048 + 512;    // voxel 5, a quarter of it
-  p.y = 20 * 2048 + 1024;  // voxel 20 - 32, half of it
+  p.x = 5 * 1024 + 256;   // voxel 5, a quarter of it
+  p.y = 20 * 1024 + 512;  // voxel 20 - 32, half of it
   p.z = 0;
   const Eigen::Vector3d x = filter.position(p);
-  const double half_a_step = 0.15 / 4096;
+  const double half_a_step = 0.15 / 2048;
   EXPECT_NEAR(x.x(), 5.25 * 0.15 + half_a_step, 1e-12);
   EXPECT_NEAR(x.y(), -11.5 * 0.15 + half_a_step, 1e-12);
   EXPECT_NEAR(x.z(), half_a_step, 1e-12);

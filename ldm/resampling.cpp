@@ -1,0 +1,217 @@
+/// Class Particles from its weights to its next generation: paper Eq. (11), (13)-(15).
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "ldm/log_odds.h"
+#include "ldm/particles.h"
+
+namespace ldm {
+namespace {
+
+constexpr double kOneWeight = 1 << 24;
+constexpr int kClaimBits = 31;        // of a particle's claim: it fits 32
+constexpr std::size_t kStretch = 32;  // slots looked at as one
+
+/// a if `first`, else b, where a processor cannot guess which: by a conditional move. Two choices
+/// must not seem to follow from one another, or g++ makes branches of both, at twice the time.
+std::uint64_t choose(bool first, std::uint64_t a, std::uint64_t b) {
+  return __builtin_expect_with_probability(first, 1, 0.5) ? a : b;
+}
+
+}  // namespace
+
+/// Number of particles in a slot, after `predict`.
+std::uint32_t Particles::count(std::size_t slot) const {
+  std::uint32_t sum = 0;
+  for (const Part& part : parts_) sum += part.count[slot];
+  return sum;
+}
+
+std::uint32_t Particles::updated_weight(float l) const {
+  return static_cast<std::uint32_t>(
+      std::llround(kOneWeight * (1 / static_cast<double>(n_init_) + probability(l))));
+}
+
+std::uint32_t Particles::normalised(std::uint32_t weight, double claim_per_weight) {
+  return static_cast<std::uint32_t>(weight * claim_per_weight) + 1;
+}
+
+void Particles::weigh(const RingBuffer<float>& map) {
+  const std::span<const float> log_odds = map.cells();
+  const auto has_none = [](const Part& part) {
+    return std::all_of(part.count.begin(), part.count.end(), [](auto n) { return n == 0; });
+  };
+  if (std::all_of(parts_.begin(), parts_.end(), has_none)) {
+    scatter_uniformly(map.index());
+    parallel_.run([this](int part) {
+      const auto [begin, end] = parallel_.share(part, n_init_);
+      std::vector<std::uint32_t>& count = parts_[static_cast<std::size_t>(part)].count;
+      for (std::size_t i = begin; i < end; ++i) ++count[particles_[i].slot];
+    });
+  }
+  voxels_.assign(1, Voxel{});
+  claims_.assign(1, 0);
+  births_.clear();
+  total_weight_ = 0;
+  for (std::size_t first = 0; first < log_odds.size(); first += kStretch) {
+    const std::size_t last = std::min(first + kStretch, log_odds.size());
+    if (!is_empty(log_odds, first, last)) weigh_slots(log_odds, first, last);
+  }
+}
+
+/// True if nothing is, nor will be born, in slots [first, last). Vectors of them are looked at:
+/// that makes the stage twice as fast at 128^3, where most voxels are empty.
+bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
+                         std::size_t last) const {
+  std::uint32_t any = 0;
+  for (const Part& part : parts_) {
+    for (std::size_t slot = first; slot < last; ++slot) any |= part.count[slot];
+  }
+  for (std::size_t slot = first; slot < last; ++slot) {
+    any |= static_cast<std::uint32_t>(log_odds[slot] > occupied_above_);
+  }
+  return any == 0;
+}
+
+void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last) {
+  const auto prior = static_cast<std::uint32_t>(kOneWeight / static_cast<double>(n_init_));
+  for (std::size_t slot = first; slot < last; ++slot) {
+    const std::uint32_t count = this->count(slot);
+    const bool needs_births = birth_ && count < min_per_voxel_ && log_odds[slot] > occupied_above_;
+    if (count == 0 && !needs_births) continue;
+    const std::uint32_t weight = updated_weight(log_odds[slot]);
+    total_weight_ += std::uint64_t{count} * weight;
+    if (needs_births) {
+      const auto place = static_cast<std::uint32_t>(voxels_.size());
+      births_.push_back({place, min_per_voxel_ - count, weight - prior});
+      total_weight_ += std::uint64_t{births_.back().count} * births_.back().claim;
+    }
+    voxels_.push_back({static_cast<std::uint32_t>(slot), 0});
+    claims_.push_back(weight);
+  }
+}
+
+/// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
+void Particles::claim() {
+  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(total_weight_);
+  const double most = *std::max_element(claims_.begin(), claims_.end()) * per_weight;
+  claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
+  const double claim_per_weight = std::ldexp(per_weight, claim_bits_);
+  for (Part& part : parts_) {
+    part.next.assign(1, 0);
+    part.before.assign(births_.size(), VelocitySum{});
+  }
+  const RandomStream stream(seed_, Purpose::kResampling, frame_);
+  std::uint64_t next = stream.bits(0) >> (64 - claim_bits_);
+  auto births = births_.begin();
+  for (std::size_t i = 1; i < voxels_.size(); ++i) {
+    Voxel& voxel = voxels_[i];
+    // What is claimed beyond N_init, a trace of rounding, goes to a spare place and is lost.
+    voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
+    claims_[i] = normalised(claims_[i], claim_per_weight);
+    std::uint32_t count = 0;
+    for (Part& part : parts_) {
+      part.next.push_back(next);
+      count += part.count[voxel.slot];
+      next += std::uint64_t{part.count[voxel.slot]} * claims_[i];
+    }
+    // Particles that still name a voxel with none are forgotten ones: they claim nothing.
+    if (count == 0) claims_[i] = 0;
+    const bool has_births = births != births_.end() && births->place == i;
+    if (has_births) {
+      births->claim = normalised(births->claim, claim_per_weight);
+      next += std::uint64_t{births->count} * births->claim;
+      ++births;
+    }
+    places()[voxel.slot] =
+        static_cast<std::uint32_t>(i) | (has_births && count > 0 ? kHasBirths : 0);
+  }
+}
+
+void Particles::resample(const RingIndex& index) {
+  claim();
+  parallel_.run([this](int part) { resample_part(part); });
+  bear(index);
+  particles_.swap(resampled_);
+}
+
+void Particles::resample_part(int number) {
+  Part& part = parts_[static_cast<std::size_t>(number)];
+  const std::uint32_t* const place_of = places().data();
+  const std::uint32_t* const claims = claims_.data();
+  std::uint64_t* const next_of = part.next.data();
+  const Particle* const particles = particles_.data();
+  Particle* const resampled = resampled_.data();
+  const std::uint64_t spare = n_init_ + kSpare * static_cast<std::uint64_t>(1 + number);
+  const int bits = claim_bits_;
+  const auto [begin, end] = parallel_.share(number, n_init_);
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint32_t place = place_of[particles[i].slot];
+    std::uint64_t& next = next_of[place & ~kHasBirths];
+    const std::uint64_t first = next >> bits;
+    next += claims[place & ~kHasBirths];
+    const std::uint64_t last = next >> bits;
+    // Most have no copy, one or two, as if by chance: a processor that guesses which loses more
+    // time than by two copies that may go to the spare place. This halves the time of the pass.
+    const ParticleCopy particle(particles[i]);
+    particle.put(resampled[choose(last > first, first, spare)]);
+    particle.put(resampled[choose(last > first + 1, first + 1, spare)]);
+    for (std::uint64_t to = first + 2; to < last; ++to) particle.put(resampled[to]);
+    if ((place & kHasBirths) != 0) before(place & ~kHasBirths, part).add(particles[i]);
+  }
+}
+
+/// The sum that belongs to the births of a voxel.
+VelocitySum& Particles::before(std::uint32_t place, Part& part) const {
+  const auto births =
+      std::lower_bound(births_.begin(), births_.end(), place,
+                       [](const Births& b, std::uint32_t p) { return b.place < p; });
+  return part.before[static_cast<std::size_t>(births - births_.begin())];
+}
+
+/// The newborn of each voxel, behind the copies of those that were there.
+void Particles::bear(const RingIndex& index) {
+  const RandomStream stream(seed_, Purpose::kBirth, frame_);
+  const Eigen::Vector3i& n = index.window().size;
+  for (std::size_t i = 0; i < births_.size(); ++i) {
+    const Births& births = births_[i];
+    const std::uint32_t slot = voxels_[births.place].slot;
+    const auto cell = static_cast<int>(slot);
+    const Eigen::Vector3i corner =
+        Eigen::Vector3i(cell % n.x(), cell / n.x() % n.y(), cell / n.x() / n.y()) *
+        (1 << fraction_bits_);
+    std::uint64_t next = parts_.back().next[births.place];
+    VelocitySum before;
+    for (const Part& part : parts_) before.add(part.before[i]);
+    for (std::uint32_t birth = 0; birth < births.count; ++birth) {
+      const std::uint64_t begin = next >> claim_bits_;
+      next += births.claim;
+      const std::uint64_t end = next >> claim_bits_;
+      if (begin == end) continue;
+      const std::uint64_t draw = (std::uint64_t{slot} << 32) + 2 * birth;
+      const Particle p = newborn(slot, before.mean(), corner, stream, draw);
+      for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;
+    }
+  }
+}
+
+Particle Particles::newborn(std::uint32_t slot, const Velocity& mean, const Eigen::Vector3i& corner,
+                            const RandomStream& stream, std::uint64_t draw) const {
+  const std::uint64_t at = stream.bits(draw);
+  const auto along = [&](int axis, std::uint64_t random) {
+    const std::uint64_t within = random & ((std::uint64_t{1} << fraction_bits_) - 1);
+    return static_cast<std::uint16_t>(corner[axis] + static_cast<int>(within));
+  };
+  Particle p{along(0, at),
+             along(1, at >> 16),
+             along(2, at >> 32),
+             Particle::quantised(mean.x()),
+             Particle::quantised(mean.y()),
+             Particle::quantised(mean.z()),
+             slot};
+  noise_.change(p, stream.bits(draw + 1));
+  return p;
+}
+
+}  // namespace ldm

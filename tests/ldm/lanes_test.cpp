@@ -1,0 +1,78 @@
+/// Each instruction that has a name against what it means.
+#include "ldm/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/ldm/random_inputs.h"
+
+namespace ldm {
+namespace {
+
+constexpr int kLowest = INT16_MIN;
+constexpr int kHighest = INT16_MAX;
+
+/// Any number, the extremes often.
+std::int16_t some_half(Random& random) {
+  constexpr int kExtremes[] = {kLowest, kLowest + 1, -1, 0, 1, kHighest - 1, kHighest};
+  const int which = uniform_int(0, 20, random);
+  return static_cast<std::int16_t>(which < 7 ? kExtremes[which]
+                                             : uniform_int(kLowest, kHighest, random));
+}
+
+class LanesTest : public testing::Test {
+ protected:
+  /// As some_half, but `b` never the lowest: what the products require.
+  void draw() {
+    for (int i = 0; i < 8; ++i) {
+      a_[i] = some_half(random_);
+      b_[i] = std::max(some_half(random_), static_cast<std::int16_t>(kLowest + 1));
+    }
+  }
+  template <class Vector>
+  static bool same(const Vector& x, const Vector& y) {
+    return std::memcmp(&x, &y, sizeof x) == 0;
+  }
+
+  Random random_{7};
+  Halves a_{}, b_{};
+};
+
+TEST_F(LanesTest, InstructionsDoWhatTheirPlainFormsSay) {
+  for (int trial = 0; trial < 20000; ++trial) {
+    draw();
+    ASSERT_TRUE(same(saturating_sum(a_, b_), plain::saturating_sum(a_, b_)));
+    ASSERT_TRUE(same(rounded_product(a_, b_), plain::rounded_product(a_, b_)));
+    ASSERT_TRUE(same(sum_of_products(a_, b_), plain::sum_of_products(a_, b_)));
+  }
+}
+
+TEST_F(LanesTest, PlainFormsAreRightForKnownNumbers) {
+  a_ = Halves{kHighest, kLowest, 1, 3, -3, 5, kHighest, kLowest};
+  b_ = Halves{1, -1, 16384, 16384, 16384, 7, kHighest, kHighest};
+  const Halves sum = plain::saturating_sum(a_, b_);
+  const Halves expected_sum{kHighest, kLowest, 16385, 16387, 16381, 12, kHighest, -1};
+  EXPECT_TRUE(same(sum, expected_sum));
+  const Halves product = plain::rounded_product(a_, b_);
+  const Halves expected_product{1, 1, 1, 2, -1, 0, 32766, -32767};  // ties up: 0.5, 1.5, -1.5
+  EXPECT_TRUE(same(product, expected_product));
+  const Lanes products = plain::sum_of_products(a_, b_);
+  const Lanes expected{65535, 65536, -49117, -32767};
+  EXPECT_TRUE(same(products, expected));
+}
+
+TEST_F(LanesTest, SmallerCountsNegativeAsLargest) {
+  for (int trial = 0; trial < 1000; ++trial) {
+    draw();
+    const Halves smaller = unsigned_min(a_, b_);
+    for (int i = 0; i < 8; ++i) {
+      const auto x = static_cast<std::uint16_t>(a_[i]);
+      const auto y = static_cast<std::uint16_t>(b_[i]);
+      ASSERT_EQ(static_cast<std::uint16_t>(smaller[i]), std::min(x, y));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ldm
