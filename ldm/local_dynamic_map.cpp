@@ -11,7 +11,8 @@ LocalDynamicMap::LocalDynamicMap(const Parameters& parameters)
       flags_(parameters.map, parameters.sensor_model.no_returns, parameters.survival.enabled,
              parameters.execution.threads),
       prediction_(parameters.map, parameters.sensor_model, parameters.prediction),
-      occupancy_(parameters.map, parameters.sensor_model, parameters.survival),
+      occupancy_(parameters.map, parameters.sensor_model, parameters.survival,
+                 parameters.execution.threads),
       particles_(parameters.map, parameters.particles, parameters.clusters, parameters.execution,
                  log_odds_.index()),
       clustering_(parameters.map, parameters.clusters) {}

@@ -26,8 +26,10 @@ MeasurementLogOdds::MeasurementLogOdds(const SensorModelParameters& p)
       free(static_cast<float>(log_odds(p.p_free))) {}
 
 OccupancyUpdate::OccupancyUpdate(const MapParameters& map, const SensorModelParameters& sensor,
-                                 const SurvivalParameters& survival)
-    : min_(static_cast<float>(sensor.log_odds_min)), max_(static_cast<float>(sensor.log_odds_max)) {
+                                 const SurvivalParameters& survival, std::int64_t threads)
+    : min_(static_cast<float>(sensor.log_odds_min)),
+      max_(static_cast<float>(sensor.log_odds_max)),
+      parallel_(threads) {
   const MeasurementLogOdds z(sensor);
   factor_.fill(1);
   gain_.fill(0);
@@ -45,11 +47,21 @@ OccupancyUpdate::OccupancyUpdate(const MapParameters& map, const SensorModelPara
 
 void OccupancyUpdate::apply(std::span<const std::uint8_t> flags, std::span<const std::uint8_t> kept,
                             RingBuffer<float>& log_odds) const {
+  const auto layers = static_cast<std::size_t>(log_odds.index().window().size.z());
+  parallel_.run([&](int part) {
+    const auto [begin, end] = parallel_.share(part, layers);
+    apply_to_layers(static_cast<int>(begin), static_cast<int>(end), flags, kept, log_odds);
+  });
+}
+
+void OccupancyUpdate::apply_to_layers(int begin, int end, std::span<const std::uint8_t> flags,
+                                      std::span<const std::uint8_t> kept,
+                                      RingBuffer<float>& log_odds) const {
   const RingIndex& index = log_odds.index();
   const Eigen::Vector3i& n = index.window().size;
   float* const cells = log_odds.cells().data();
-  const std::uint8_t* row_flags = flags.data();
-  for (int z = 0; z < n.z(); ++z) {
+  const std::uint8_t* row_flags = flags.data() + std::size_t(begin) * n.x() * n.y();
+  for (int z = begin; z < end; ++z) {
     for (int y = 0; y < n.y(); ++y, row_flags += n.x()) {
       for (const RowPiece& piece : row_pieces(index, 0, n.x(), y, z)) {
         apply_to_row(piece.length, row_flags + piece.x,

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ldm/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/ring_buffer.h"
 
@@ -22,8 +23,9 @@ struct MeasurementLogOdds {
 class OccupancyUpdate {
  public:
   /// Without `survival` a voxel that no ray met keeps its log-odds, as in Usenko et al.
+  /// @param threads as of ExecutionParameters; the result does not depend on it
   OccupancyUpdate(const MapParameters& map, const SensorModelParameters& sensor,
-                  const SurvivalParameters& survival);
+                  const SurvivalParameters& survival, std::int64_t threads = 1);
 
   /// Adds the measurements to the voxels with a hit or a crossing ray and lets the others decay.
   /// `flags` in window order; `log_odds` and `kept` in slots. `kept` is 1 where a static object
@@ -44,6 +46,8 @@ class OccupancyUpdate {
  private:
   /// True for a flag that leaves log-odds as they are.
   bool keeps(std::uint8_t flag) const { return factor_[flag] == 1 && gain_[flag] == 0; }
+  void apply_to_layers(int begin, int end, std::span<const std::uint8_t> flags,
+                       std::span<const std::uint8_t> kept, RingBuffer<float>& log_odds) const;
   void apply_to_row(int n, const std::uint8_t* flags, const std::uint8_t* kept, float* l) const;
   void apply_to_each(int begin, int end, const std::uint8_t* flags, const std::uint8_t* kept,
                      float* l) const;
@@ -52,6 +56,7 @@ class OccupancyUpdate {
   float max_;
   std::array<float, 256> factor_;  // by flag: P_s; 1 for a measured voxel
   std::array<float, 256> gain_;    // by flag: l(z); 0 for an unmeasured voxel
+  Parallel parallel_;
 };
 
 }  // namespace ldm

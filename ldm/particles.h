@@ -47,7 +47,7 @@ class Particles {
   /// rounded up: the claims reach N_init.  Eq. (14)
   static std::uint32_t normalised(std::uint32_t weight, double claim_per_weight);
   /// mu_k: the sum of all weights after `weigh`, in units of 2^-24.  Eq. (15)
-  std::uint64_t total_weight() const { return total_weight_; }
+  std::uint64_t total_weight() const { return found_.total_weight; }
 
   /// All particles; sorted by slot after `resample`.
   std::span<const Particle> all() const { return {particles_.data(), n_init_}; }
@@ -71,25 +71,42 @@ class Particles {
   };
   /// Particles to be born in a voxel.
   struct Births {
-    std::uint32_t place;  // in voxels_
+    std::uint32_t place;  // in voxels
     std::uint32_t count;
-    std::uint32_t claim;  // of each, as in claims_
+    std::uint32_t claim;  // of each, as in claims
+  };
+  /// What a stretch of slots holds.
+  struct Claimants {
+    std::vector<Voxel> voxels;  // in slot order; the first of all is nobody's
+    // Beside voxels: what each particle claims [2^-claim_bits_ particles]; its weight until
+    // `claim`.
+    std::vector<std::uint32_t> claims;
+    std::vector<Births> births;  // in slot order
+    std::uint64_t total_weight = 0;
+
+    void reserve(std::size_t most_voxels, std::size_t usual_births);
+    void clear();
+    void append(const Claimants& behind);
   };
   // Spare places behind the particles: some for what is claimed beyond N_init, and some for each
   // part. They fill a cache line, so that threads do not share one.
   static constexpr std::size_t kSpare = 64 / sizeof(Particle);
   static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in a count
-  /// One thread's stretch of the particles.
+  /// One thread's stretch of the particles, and of the slots.
   struct Part {
+    Claimants found;                   // that of the first part is found_
     std::vector<std::uint32_t> count;  // per slot, and one for all that left: number of particles
-    std::vector<std::uint64_t> next;  // beside voxels_: where the claim of its next particle begins
-    std::vector<VelocitySum> before;  // beside births_: of the particles here before resampling
+    std::vector<std::uint64_t> next;   // beside voxels: where the claim of its next particle begins
+    std::vector<VelocitySum> before;   // beside births: of the particles here before resampling
   };
 
   void scatter_uniformly(const RingIndex& index);
   void predict_part(int part, ParticleMotion motion);
+  Claimants& found(int part);
+  void weigh_part(int part, std::span<const float> log_odds);
   bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
-  void weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last);
+  void weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
+                   Claimants& found) const;
   void claim();
   void resample_part(int part);
   void bear(const RingIndex& index);
@@ -100,7 +117,7 @@ class Particles {
   std::span<Particle> slot_range(std::size_t slot);
   std::uint32_t count(std::size_t slot) const;
   VelocitySum& before(std::uint32_t place, Part& part) const;
-  /// Per slot, from `weigh` on: its place in voxels_, 0 for none.
+  /// Per slot, from `weigh` on: its place among the voxels, 0 for none.
   std::vector<std::uint32_t>& places() { return parts_[0].count; }
 
   double resolution_;
@@ -117,12 +134,8 @@ class Particles {
   std::vector<Part> parts_;
   std::vector<Particle> particles_;  // N_init, and spare places
   std::vector<Particle> resampled_;
-  std::vector<Voxel> voxels_;  // in slot order; the first is nobody's
-  // Beside voxels_: what each particle claims [2^-claim_bits_ particles]; its weight until `claim`.
-  std::vector<std::uint32_t> claims_;
-  std::vector<Births> births_;  // in slot order
+  Claimants found_;  // in all slots
   int claim_bits_ = 0;
-  std::uint64_t total_weight_ = 0;
 };
 
 }  // namespace ldm

@@ -50,13 +50,46 @@ void Particles::weigh(const RingBuffer<float>& map) {
       for (std::size_t i = begin; i < end; ++i) ++count[particles_[i].slot];
     });
   }
-  voxels_.assign(1, Voxel{});
-  claims_.assign(1, 0);
-  births_.clear();
-  total_weight_ = 0;
-  for (std::size_t first = 0; first < log_odds.size(); first += kStretch) {
-    const std::size_t last = std::min(first + kStretch, log_odds.size());
-    if (!is_empty(log_odds, first, last)) weigh_slots(log_odds, first, last);
+  parallel_.run([&](int part) { weigh_part(part, log_odds); });
+  for (int part = 1; part < parallel_.parts(); ++part) found_.append(found(part));
+}
+
+void Particles::Claimants::reserve(std::size_t most_voxels, std::size_t usual_births) {
+  voxels.reserve(most_voxels);
+  claims.reserve(most_voxels);
+  births.reserve(usual_births);
+}
+
+void Particles::Claimants::clear() {
+  voxels.clear();
+  claims.clear();
+  births.clear();
+  total_weight = 0;
+}
+
+void Particles::Claimants::append(const Claimants& behind) {
+  const auto before = static_cast<std::uint32_t>(voxels.size());
+  voxels.insert(voxels.end(), behind.voxels.begin(), behind.voxels.end());
+  claims.insert(claims.end(), behind.claims.begin(), behind.claims.end());
+  for (const Births& b : behind.births) births.push_back({before + b.place, b.count, b.claim});
+  total_weight += behind.total_weight;
+}
+
+Particles::Claimants& Particles::found(int part) {
+  return part == 0 ? found_ : parts_[static_cast<std::size_t>(part)].found;
+}
+
+void Particles::weigh_part(int part, std::span<const float> log_odds) {
+  Claimants& found = this->found(part);
+  found.clear();
+  if (part == 0) {
+    found.voxels.emplace_back();
+    found.claims.push_back(0);
+  }
+  const auto [begin, end] = parallel_.share(part, log_odds.size());
+  for (std::size_t first = begin; first < end; first += kStretch) {
+    const std::size_t last = std::min(first + kStretch, end);
+    if (!is_empty(log_odds, first, last)) weigh_slots(log_odds, first, last, found);
   }
 }
 
@@ -74,51 +107,52 @@ bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
   return any == 0;
 }
 
-void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last) {
+void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
+                            Claimants& found) const {
   const auto prior = static_cast<std::uint32_t>(kOneWeight / static_cast<double>(n_init_));
   for (std::size_t slot = first; slot < last; ++slot) {
     const std::uint32_t count = this->count(slot);
     const bool needs_births = birth_ && count < min_per_voxel_ && log_odds[slot] > occupied_above_;
     if (count == 0 && !needs_births) continue;
     const std::uint32_t weight = updated_weight(log_odds[slot]);
-    total_weight_ += std::uint64_t{count} * weight;
+    found.total_weight += std::uint64_t{count} * weight;
     if (needs_births) {
-      const auto place = static_cast<std::uint32_t>(voxels_.size());
-      births_.push_back({place, min_per_voxel_ - count, weight - prior});
-      total_weight_ += std::uint64_t{births_.back().count} * births_.back().claim;
+      const auto place = static_cast<std::uint32_t>(found.voxels.size());
+      found.births.push_back({place, min_per_voxel_ - count, weight - prior});
+      found.total_weight += std::uint64_t{found.births.back().count} * found.births.back().claim;
     }
-    voxels_.push_back({static_cast<std::uint32_t>(slot), 0});
-    claims_.push_back(weight);
+    found.voxels.push_back({static_cast<std::uint32_t>(slot), 0});
+    found.claims.push_back(weight);
   }
 }
 
 /// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
 void Particles::claim() {
-  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(total_weight_);
-  const double most = *std::max_element(claims_.begin(), claims_.end()) * per_weight;
+  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(found_.total_weight);
+  const double most = *std::max_element(found_.claims.begin(), found_.claims.end()) * per_weight;
   claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
   const double claim_per_weight = std::ldexp(per_weight, claim_bits_);
   for (Part& part : parts_) {
     part.next.assign(1, 0);
-    part.before.assign(births_.size(), VelocitySum{});
+    part.before.assign(found_.births.size(), VelocitySum{});
   }
   const RandomStream stream(seed_, Purpose::kResampling, frame_);
   std::uint64_t next = stream.bits(0) >> (64 - claim_bits_);
-  auto births = births_.begin();
-  for (std::size_t i = 1; i < voxels_.size(); ++i) {
-    Voxel& voxel = voxels_[i];
+  auto births = found_.births.begin();
+  for (std::size_t i = 1; i < found_.voxels.size(); ++i) {
+    Voxel& voxel = found_.voxels[i];
     // What is claimed beyond N_init, a trace of rounding, goes to a spare place and is lost.
     voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
-    claims_[i] = normalised(claims_[i], claim_per_weight);
+    found_.claims[i] = normalised(found_.claims[i], claim_per_weight);
     std::uint32_t count = 0;
     for (Part& part : parts_) {
       part.next.push_back(next);
       count += part.count[voxel.slot];
-      next += std::uint64_t{part.count[voxel.slot]} * claims_[i];
+      next += std::uint64_t{part.count[voxel.slot]} * found_.claims[i];
     }
     // Particles that still name a voxel with none are forgotten ones: they claim nothing.
-    if (count == 0) claims_[i] = 0;
-    const bool has_births = births != births_.end() && births->place == i;
+    if (count == 0) found_.claims[i] = 0;
+    const bool has_births = births != found_.births.end() && births->place == i;
     if (has_births) {
       births->claim = normalised(births->claim, claim_per_weight);
       next += std::uint64_t{births->count} * births->claim;
@@ -139,7 +173,7 @@ void Particles::resample(const RingIndex& index) {
 void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
   const std::uint32_t* const place_of = places().data();
-  const std::uint32_t* const claims = claims_.data();
+  const std::uint32_t* const claims = found_.claims.data();
   std::uint64_t* const next_of = part.next.data();
   const Particle* const particles = particles_.data();
   Particle* const resampled = resampled_.data();
@@ -165,18 +199,18 @@ void Particles::resample_part(int number) {
 /// The sum that belongs to the births of a voxel.
 VelocitySum& Particles::before(std::uint32_t place, Part& part) const {
   const auto births =
-      std::lower_bound(births_.begin(), births_.end(), place,
+      std::lower_bound(found_.births.begin(), found_.births.end(), place,
                        [](const Births& b, std::uint32_t p) { return b.place < p; });
-  return part.before[static_cast<std::size_t>(births - births_.begin())];
+  return part.before[static_cast<std::size_t>(births - found_.births.begin())];
 }
 
 /// The newborn of each voxel, behind the copies of those that were there.
 void Particles::bear(const RingIndex& index) {
   const RandomStream stream(seed_, Purpose::kBirth, frame_);
   const Eigen::Vector3i& n = index.window().size;
-  for (std::size_t i = 0; i < births_.size(); ++i) {
-    const Births& births = births_[i];
-    const std::uint32_t slot = voxels_[births.place].slot;
+  for (std::size_t i = 0; i < found_.births.size(); ++i) {
+    const Births& births = found_.births[i];
+    const std::uint32_t slot = found_.voxels[births.place].slot;
     const auto cell = static_cast<int>(slot);
     const Eigen::Vector3i corner =
         Eigen::Vector3i(cell % n.x(), cell / n.x() % n.y(), cell / n.x() / n.y()) *

@@ -136,7 +136,7 @@ TEST(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
     for (auto& k : kept) k = static_cast<std::uint8_t>(uniform_int(0, 1, random));
     for (auto& l : log_odds.cells()) l = static_cast<float>(uniform(-2, 3.5, random));
     const RingBuffer<float> before = log_odds;
-    const OccupancyUpdate update(map_of(n), {}, {});
+    const OccupancyUpdate update(map_of(n), {}, {}, uniform_int(1, 4, random));
     update.apply(flags, kept, log_odds);
 
     const VoxelBox& window = log_odds.index().window();
