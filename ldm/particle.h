@@ -90,6 +90,30 @@ class ParticleCopy {
   Lanes all_;
 };
 
+/// The velocity of all particles in a slot: one store each, which writes what they share of the
+/// slot as well, instead of three.
+class SlotVelocity {
+ public:
+  SlotVelocity(const Velocity& v, std::uint32_t slot) {
+    const Particle p{0,
+                     0,
+                     0,
+                     Particle::quantised(v.x()),
+                     Particle::quantised(v.y()),
+                     Particle::quantised(v.z()),
+                     slot};
+    std::memcpy(&bytes_, reinterpret_cast<const std::byte*>(&p) + kVx, sizeof bytes_);
+  }
+  /// To `p`, which must be in the slot.
+  void give(Particle& p) const {
+    std::memcpy(reinterpret_cast<std::byte*>(&p) + kVx, &bytes_, sizeof bytes_);
+  }
+
+ private:
+  static constexpr std::size_t kVx = offsetof(Particle, vx);
+  std::int64_t bytes_;
+};
+
 /// Sum of the velocities of some particles, in Particle::kVelocityQuantum: exact in any order.
 struct VelocitySum {
   std::int64_t x = 0, y = 0, z = 0;

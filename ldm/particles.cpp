@@ -117,14 +117,8 @@ VelocitySum Particles::velocity_sum(std::size_t slot) const {
 }
 
 void Particles::set_velocity(std::size_t slot, const Velocity& v) {
-  const std::int16_t vx = Particle::quantised(v.x());
-  const std::int16_t vy = Particle::quantised(v.y());
-  const std::int16_t vz = Particle::quantised(v.z());
-  for (Particle& p : slot_range(slot)) {
-    p.vx = vx;
-    p.vy = vy;
-    p.vz = vz;
-  }
+  const SlotVelocity velocity(v, static_cast<std::uint32_t>(slot));
+  for (Particle& p : slot_range(slot)) velocity.give(p);
 }
 
 Eigen::Vector3d Particles::position(const Particle& p, const RingIndex& index) const {
