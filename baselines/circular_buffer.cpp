@@ -16,8 +16,7 @@ CircularBuffer::CircularBuffer(const ldm::Parameters& parameters)
     : resolution_(ldm::checked(parameters).map.resolution),
       log_odds_(parameters.map.voxels, 0.0F),
       flags_(parameters.map, parameters.sensor_model.no_returns, kShadows),
-      occupancy_(parameters.map, parameters.sensor_model, kNothingFades,
-                 parameters.execution.threads) {}
+      occupancy_(parameters.map, parameters.sensor_model, kNothingFades) {}
 
 void CircularBuffer::update(const ldm::Scan& scan, ldm::StageListener* listener) {
   const auto stage = [listener](std::string_view name) {

@@ -28,54 +28,59 @@ struct Particle {
   }
 };
 
-/// Two neighbouring particles: x, y, z of the first in halves 0 to 2, of the second in 4 to 6; what
-/// is in halves 3 and 7 means nothing.
+/// Where vx is in a particle [bytes].
+inline constexpr std::size_t kVelocityOffset = offsetof(Particle, vx);
+/// Three axes, and two bytes more, in one access to the memory.
+inline constexpr std::size_t kThreeAxes = 8;
+static_assert(sizeof(Particle) == 16 && kVelocityOffset + kThreeAxes <= sizeof(Particle));
+
+/// Two neighbouring particles: x, y, z of the first in lanes 0 to 2, of the second in 4 to 6; what
+/// is in lanes 3 and 7 means nothing.
 ///
 /// Eight bytes from x or from vx on are one load, and the same bytes one store. Arithmetic on six
 /// numbers at once, none wider than it must be, makes `Particles::predict` twice as fast as
 /// arithmetic on three of 32 bits.
 struct ParticlePair {
-  Halves position;
-  Halves velocity;
+  UInt16x8 position;  ///< as Particle::x
+  Int16x8 velocity;   ///< as Particle::vx
 
-  explicit ParticlePair(const Particle* two) : position(load(two, kX)), velocity(load(two, kVx)) {}
+  explicit ParticlePair(const Particle* two)
+      : position(reinterpret_cast<UInt16x8>(load(two, offsetof(Particle, x)))),
+        velocity(velocity_of(two)) {}
 
   /// Into two[0] and two[1], which are in `slots[0]` and `slots[2]` from now on.
-  void store(const Lanes& slots, Particle* two) const {
+  void store(const Int32x4& slots, Particle* two) const {
     // Each also writes two bytes of what comes next, which is therefore written next.
-    store(position, kX, two);
-    store(velocity, kVx, two);
+    store(reinterpret_cast<Int64x2>(position), offsetof(Particle, x), two);
+    store(reinterpret_cast<Int64x2>(velocity), kVelocityOffset, two);
     two[0].slot = static_cast<std::uint32_t>(slots[0]);
     two[1].slot = static_cast<std::uint32_t>(slots[2]);
   }
 
-  /// vx, vy, vz of the sum of both velocities.
-  static Lanes velocity_sum(const Particle* two) {
-    const Halves v = load(two, kVx);
-    constexpr Halves kOnes{1, 1, 1, 1, 1, 1, 1, 1};
+  /// vx, vy, vz of the sum of both velocities [Particle::kVelocityQuantum].
+  static Int32x4 velocity_sum(const Particle* two) {
+    const Int16x8 v = velocity_of(two);
+    constexpr Int16x8 kOnes{1, 1, 1, 1, 1, 1, 1, 1};
     return sum_of_products(__builtin_shufflevector(v, v, 0, 4, 1, 5, 2, 6, 3, 7), kOnes);
   }
 
  private:
-  static constexpr std::size_t kX = offsetof(Particle, x);
-  static constexpr std::size_t kVx = offsetof(Particle, vx);
-  static constexpr std::size_t kBytes = 8;  // three axes, and two bytes more
-  static_assert(sizeof(Particle) == 16 && kVx + kBytes <= sizeof(Particle));
-
-  static Halves load(const Particle* two, std::size_t offset) {
-    Words words{};
+  static Int16x8 velocity_of(const Particle* two) {
+    return reinterpret_cast<Int16x8>(load(two, kVelocityOffset));
+  }
+  static Int64x2 load(const Particle* two, std::size_t offset) {
+    Int64x2 words{};
     for (int i = 0; i < 2; ++i) {
       std::int64_t bytes = 0;
-      std::memcpy(&bytes, reinterpret_cast<const std::byte*>(two + i) + offset, kBytes);
+      std::memcpy(&bytes, reinterpret_cast<const std::byte*>(two + i) + offset, kThreeAxes);
       words[i] = bytes;
     }
-    return reinterpret_cast<Halves>(words);
+    return words;
   }
-  static void store(const Halves& halves, std::size_t offset, Particle* two) {
-    const auto words = reinterpret_cast<Words>(halves);
+  static void store(const Int64x2& words, std::size_t offset, Particle* two) {
     for (int i = 0; i < 2; ++i) {
       const std::int64_t bytes = words[i];
-      std::memcpy(reinterpret_cast<std::byte*>(two + i) + offset, &bytes, kBytes);
+      std::memcpy(reinterpret_cast<std::byte*>(two + i) + offset, &bytes, kThreeAxes);
     }
   }
 };
@@ -87,7 +92,7 @@ class ParticleCopy {
   void put(Particle& p) const { std::memcpy(&p, &all_, sizeof all_); }
 
  private:
-  Lanes all_;
+  Int32x4 all_;
 };
 
 /// The velocity of all particles in a slot: one store each, which writes what they share of the
@@ -95,22 +100,19 @@ class ParticleCopy {
 class SlotVelocity {
  public:
   SlotVelocity(const Velocity& v, std::uint32_t slot) {
-    const Particle p{0,
-                     0,
-                     0,
-                     Particle::quantised(v.x()),
-                     Particle::quantised(v.y()),
-                     Particle::quantised(v.z()),
-                     slot};
-    std::memcpy(&bytes_, reinterpret_cast<const std::byte*>(&p) + kVx, sizeof bytes_);
+    Particle p{};
+    p.vx = Particle::quantised(v.x());
+    p.vy = Particle::quantised(v.y());
+    p.vz = Particle::quantised(v.z());
+    p.slot = slot;
+    std::memcpy(&bytes_, reinterpret_cast<const std::byte*>(&p) + kVelocityOffset, sizeof bytes_);
   }
   /// To `p`, which must be in the slot.
   void give(Particle& p) const {
-    std::memcpy(reinterpret_cast<std::byte*>(&p) + kVx, &bytes_, sizeof bytes_);
+    std::memcpy(reinterpret_cast<std::byte*>(&p) + kVelocityOffset, &bytes_, sizeof bytes_);
   }
 
  private:
-  static constexpr std::size_t kVx = offsetof(Particle, vx);
   std::int64_t bytes_;
 };
 
@@ -130,7 +132,7 @@ struct VelocitySum {
     constexpr std::size_t kMost = 1 << 16;
     while (some.size() > 1) {
       const std::size_t two_by_two = std::min(kMost, some.size()) / 2 * 2;
-      Lanes sum{};
+      Int32x4 sum{};
       for (std::size_t i = 0; i < two_by_two; i += 2) sum += ParticlePair::velocity_sum(&some[i]);
       x += sum[0];
       y += sum[1];

@@ -7,11 +7,11 @@
 namespace ldm {
 namespace {
 
-/// x, y, z of a pair of particles, and `rest` in the halves that mean nothing.
-Halves pair_of(const Eigen::Vector3i& v, int rest) {
-  Halves halves{};
-  for (int i = 0; i < 8; ++i) halves[i] = static_cast<std::int16_t>(i % 4 < 3 ? v[i % 4] : rest);
-  return halves;
+/// x, y, z of a pair of particles, and `rest` in the lanes that mean nothing.
+UInt16x8 pair_of(const Eigen::Vector3i& v, int rest) {
+  UInt16x8 lanes{};
+  for (int i = 0; i < 8; ++i) lanes[i] = static_cast<std::uint16_t>(i % 4 < 3 ? v[i % 4] : rest);
+  return lanes;
 }
 
 }  // namespace
@@ -26,11 +26,10 @@ ParticleMotion::ParticleMotion(const RingIndex& index, int fraction_bits, double
   const Eigen::Vector3i extent = n * (1 << fraction_bits);
   extent_ = pair_of(extent, 0);
   origin_ = pair_of(index.origin_slot() * (1 << fraction_bits), 0);
-  highest_ = pair_of(extent.array() - 1, -1);  // the largest there is: nothing is out of it
-  row_stride_ = pair_of({1, n.x(), 1}, 0);
-  layer_stride_ = Lanes{1, n.x() * n.y(), 1, n.x() * n.y()};
+  row_stride_ = reinterpret_cast<Int16x8>(pair_of({1, n.x(), 1}, 0));
+  layer_stride_ = Int32x4{1, n.x() * n.y(), 1, n.x() * n.y()};
   const auto gone = static_cast<std::int32_t>(index.count());
-  gone_ = Lanes{gone, gone, gone, gone};
+  gone_ = Int32x4{gone, gone, gone, gone};
 
   double step = voxels_per_mps * std::ldexp(Particle::kVelocityQuantum, fraction_bits);
   constexpr int kMostDoublings = 15;  // one velocity quantum crosses the whole map
@@ -38,9 +37,12 @@ ParticleMotion::ParticleMotion(const RingIndex& index, int fraction_bits, double
     step /= 2;
     ++doublings_;
   }
+  // Doubled, a way may saturate to 2^15 - 1: even from the lowest position that is out of the map.
+  const int margin = doublings_ > 0 ? 2 : 1;
+  highest_ = pair_of(extent.array() - margin, -1);  // nothing is out of the largest there is
   constexpr double kOne = 1 << 15;
   const auto rounded = static_cast<std::int16_t>(std::lround(std::min(step * kOne, kOne - 1)));
-  step_ = Halves{} + rounded;
+  step_ = Int16x8{} + rounded;
 }
 
 }  // namespace ldm

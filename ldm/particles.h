@@ -117,7 +117,7 @@ class Particles {
   std::span<Particle> slot_range(std::size_t slot);
   std::uint32_t count(std::size_t slot) const;
   VelocitySum& before(std::uint32_t place, Part& part) const;
-  /// Per slot, from `weigh` on: its place among the voxels, 0 for none.
+  /// Per slot, from `resample` on: its place among the voxels, 0 for none; its count until then.
   std::vector<std::uint32_t>& places() { return parts_[0].count; }
 
   double resolution_;

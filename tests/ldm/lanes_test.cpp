@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include "tests/ldm/random_inputs.h"
@@ -14,7 +16,7 @@ constexpr int kLowest = INT16_MIN;
 constexpr int kHighest = INT16_MAX;
 
 /// Any number, the extremes often.
-std::int16_t some_half(Random& random) {
+std::int16_t some_lane(Random& random) {
   constexpr int kExtremes[] = {kLowest, kLowest + 1, -1, 0, 1, kHighest - 1, kHighest};
   const int which = uniform_int(0, 20, random);
   return static_cast<std::int16_t>(which < 7 ? kExtremes[which]
@@ -23,11 +25,11 @@ std::int16_t some_half(Random& random) {
 
 class LanesTest : public testing::Test {
  protected:
-  /// As some_half, but `b` never the lowest: what the products require.
+  /// As some_lane, but `b` never the lowest: what the products require.
   void draw() {
     for (int i = 0; i < 8; ++i) {
-      a_[i] = some_half(random_);
-      b_[i] = std::max(some_half(random_), static_cast<std::int16_t>(kLowest + 1));
+      a_[i] = some_lane(random_);
+      b_[i] = std::max(some_lane(random_), static_cast<std::int16_t>(kLowest + 1));
     }
   }
   template <class Vector>
@@ -36,7 +38,7 @@ class LanesTest : public testing::Test {
   }
 
   Random random_{7};
-  Halves a_{}, b_{};
+  Int16x8 a_{}, b_{};
 };
 
 TEST_F(LanesTest, InstructionsDoWhatTheirPlainFormsSay) {
@@ -49,28 +51,26 @@ TEST_F(LanesTest, InstructionsDoWhatTheirPlainFormsSay) {
 }
 
 TEST_F(LanesTest, PlainFormsAreRightForKnownNumbers) {
-  a_ = Halves{kHighest, kLowest, 1, 3, -3, 5, kHighest, kLowest};
-  b_ = Halves{1, -1, 16384, 16384, 16384, 7, kHighest, kHighest};
-  const Halves sum = plain::saturating_sum(a_, b_);
-  const Halves expected_sum{kHighest, kLowest, 16385, 16387, 16381, 12, kHighest, -1};
+  a_ = Int16x8{kHighest, kLowest, 1, 3, -3, 5, kHighest, kLowest};
+  b_ = Int16x8{1, -1, 16384, 16384, 16384, 7, kHighest, kHighest};
+  const Int16x8 sum = plain::saturating_sum(a_, b_);
+  const Int16x8 expected_sum{kHighest, kLowest, 16385, 16387, 16381, 12, kHighest, -1};
   EXPECT_TRUE(same(sum, expected_sum));
-  const Halves product = plain::rounded_product(a_, b_);
-  const Halves expected_product{1, 1, 1, 2, -1, 0, 32766, -32767};  // ties up: 0.5, 1.5, -1.5
+  const Int16x8 product = plain::rounded_product(a_, b_);
+  const Int16x8 expected_product{1, 1, 1, 2, -1, 0, 32766, -32767};  // ties up: 0.5, 1.5, -1.5
   EXPECT_TRUE(same(product, expected_product));
-  const Lanes products = plain::sum_of_products(a_, b_);
-  const Lanes expected{65535, 65536, -49117, -32767};
+  const Int32x4 products = plain::sum_of_products(a_, b_);
+  const Int32x4 expected{65535, 65536, -49117, -32767};
   EXPECT_TRUE(same(products, expected));
 }
 
-TEST_F(LanesTest, SmallerCountsNegativeAsLargest) {
+TEST_F(LanesTest, LowerIsWithoutASign) {
   for (int trial = 0; trial < 1000; ++trial) {
     draw();
-    const Halves smaller = unsigned_min(a_, b_);
-    for (int i = 0; i < 8; ++i) {
-      const auto x = static_cast<std::uint16_t>(a_[i]);
-      const auto y = static_cast<std::uint16_t>(b_[i]);
-      ASSERT_EQ(static_cast<std::uint16_t>(smaller[i]), std::min(x, y));
-    }
+    const auto x = reinterpret_cast<UInt16x8>(a_);
+    const auto y = reinterpret_cast<UInt16x8>(b_);
+    const UInt16x8 found = lower(x, y);
+    for (int i = 0; i < 8; ++i) ASSERT_EQ(found[i], std::min(x[i], y[i]));
   }
 }
 
