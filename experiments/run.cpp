@@ -96,10 +96,10 @@ void run(const RunRequest& request, const DataFolders& folders) {
   SavedMaps maps(request.save, request.output / "maps");
   const std::unique_ptr<datasets::FrameSource> source =
       open_input(request, folders, request.frames);
+  const Interruption interruption;  // before there is anything that Ctrl-C could lose
   make_folder(request.output);
   RunTables tables(request.output);
 
-  const Interruption interruption;
   PlayedFrames frames(*source, request.rate, [&] { return interruption.requested(); });
   ClusterTracks tracks;
   std::int64_t done = 0;

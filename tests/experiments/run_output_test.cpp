@@ -167,8 +167,10 @@ TEST_F(RunOutput, FramesLateForAFastLogAreCounted) {
 }
 
 TEST_F(RunOutput, AnInterruptedRunKeepsItsFrames) {
-  const Result result = run("timeout", "--preserve-status -s INT 1 " + std::string(LDM_PROGRAM) +
-                                           " run current_scan scenario1 -o o --rate 1");
+  const Result result = run("sh", "-c '" + std::string(LDM_PROGRAM) +
+                                      " run current_scan scenario1 -o o --rate 1 & "
+                                      "while kill -0 $! && [ ! -d o ]; do sleep 0.02; done; "
+                                      "sleep 0.5; kill -INT $!; wait $!'");
   EXPECT_EQ(result.code, 1);
   EXPECT_EQ(result.error.rfind("ldm: interrupted after ", 0), 0u) << result.error;
   EXPECT_EQ(lines(result.error), 1u);
