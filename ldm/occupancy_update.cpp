@@ -60,7 +60,7 @@ void OccupancyUpdate::apply_to_layers(int begin, int end, std::span<const std::u
   const RingIndex& index = log_odds.index();
   const Eigen::Vector3i& n = index.window().size;
   float* const cells = log_odds.cells().data();
-  const std::uint8_t* row_flags = flags.data() + std::size_t(begin) * n.x() * n.y();
+  const std::uint8_t* row_flags = flags.data() + std::ptrdiff_t{begin} * n.x() * n.y();
   for (int z = begin; z < end; ++z) {
     for (int y = 0; y < n.y(); ++y, row_flags += n.x()) {
       for (const RowPiece& piece : row_pieces(index, 0, n.x(), y, z)) {

@@ -27,9 +27,8 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       particles_(n_init_ + kSpare * (1 + parts_.size())),
       resampled_(particles_.size()) {
   const std::size_t most_voxels = std::min(index.count(), n_init_) + 1;
-  for (int number = 0; number < parallel_.parts(); ++number) {
-    found(number).reserve(most_voxels, kUsualBirths);
-    Part& part = parts_[static_cast<std::size_t>(number)];
+  for (Part& part : parts_) {
+    part.found.reserve(most_voxels, kUsualBirths);
     part.count.resize(index.count() + 1);
     part.next.reserve(most_voxels);
     part.before.reserve(kUsualBirths);
@@ -100,9 +99,9 @@ void Particles::forget(std::size_t first, std::size_t n) {
 std::span<Particle> Particles::slot_range(std::size_t slot) {
   const std::size_t place = places()[slot] & ~kHasBirths;
   if (place == 0) return {};
-  const std::size_t first = found_.voxels[place].first;
+  const std::size_t first = found().voxels[place].first;
   const std::size_t last =
-      place + 1 < found_.voxels.size() ? found_.voxels[place + 1].first : n_init_;
+      place + 1 < found().voxels.size() ? found().voxels[place + 1].first : n_init_;
   return {particles_.data() + first, last - first};
 }
 

@@ -47,7 +47,7 @@ class Particles {
   /// rounded up: the claims reach N_init.  Eq. (14)
   static std::uint32_t normalised(std::uint32_t weight, double claim_per_weight);
   /// mu_k: the sum of all weights after `weigh`, in units of 2^-24.  Eq. (15)
-  std::uint64_t total_weight() const { return found_.total_weight; }
+  std::uint64_t total_weight() const { return found().total_weight; }
 
   /// All particles; sorted by slot after `resample`.
   std::span<const Particle> all() const { return {particles_.data(), n_init_}; }
@@ -94,7 +94,7 @@ class Particles {
   static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in a count
   /// One thread's stretch of the particles, and of the slots.
   struct Part {
-    Claimants found;                   // that of the first part is found_
+    Claimants found;                   // by `weigh`, which gathers all in that of the first part
     std::vector<std::uint32_t> count;  // per slot, and one for all that left: number of particles
     std::vector<std::uint64_t> next;   // beside voxels: where the claim of its next particle begins
     std::vector<VelocitySum> before;   // beside births: of the particles here before resampling
@@ -102,7 +102,6 @@ class Particles {
 
   void scatter_uniformly(const RingIndex& index);
   void predict_part(int part, ParticleMotion motion);
-  Claimants& found(int part);
   void weigh_part(int part, std::span<const float> log_odds);
   bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
   void weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
@@ -119,6 +118,9 @@ class Particles {
   VelocitySum& before(std::uint32_t place, Part& part) const;
   /// Per slot, from `resample` on: its place among the voxels, 0 for none; its count until then.
   std::vector<std::uint32_t>& places() { return parts_[0].count; }
+  /// In all slots, after `weigh`.
+  Claimants& found() { return parts_[0].found; }
+  const Claimants& found() const { return parts_[0].found; }
 
   double resolution_;
   std::size_t n_init_;
@@ -134,7 +136,6 @@ class Particles {
   std::vector<Part> parts_;
   std::vector<Particle> particles_;  // N_init, and spare places
   std::vector<Particle> resampled_;
-  Claimants found_;  // in all slots
   int claim_bits_ = 0;
 };
 

@@ -51,7 +51,7 @@ void Particles::weigh(const RingBuffer<float>& map) {
     });
   }
   parallel_.run([&](int part) { weigh_part(part, log_odds); });
-  for (int part = 1; part < parallel_.parts(); ++part) found_.append(found(part));
+  for (std::size_t part = 1; part < parts_.size(); ++part) found().append(parts_[part].found);
 }
 
 void Particles::Claimants::reserve(std::size_t most_voxels, std::size_t usual_births) {
@@ -75,12 +75,8 @@ void Particles::Claimants::append(const Claimants& behind) {
   total_weight += behind.total_weight;
 }
 
-Particles::Claimants& Particles::found(int part) {
-  return part == 0 ? found_ : parts_[static_cast<std::size_t>(part)].found;
-}
-
 void Particles::weigh_part(int part, std::span<const float> log_odds) {
-  Claimants& found = this->found(part);
+  Claimants& found = parts_[static_cast<std::size_t>(part)].found;
   found.clear();
   if (part == 0) {
     found.voxels.emplace_back();
@@ -128,31 +124,32 @@ void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, 
 
 /// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
 void Particles::claim() {
-  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(found_.total_weight);
-  const double most = *std::max_element(found_.claims.begin(), found_.claims.end()) * per_weight;
+  Claimants& found = this->found();
+  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(found.total_weight);
+  const double most = *std::max_element(found.claims.begin(), found.claims.end()) * per_weight;
   claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
   const double claim_per_weight = std::ldexp(per_weight, claim_bits_);
   for (Part& part : parts_) {
     part.next.assign(1, 0);
-    part.before.assign(found_.births.size(), VelocitySum{});
+    part.before.assign(found.births.size(), VelocitySum{});
   }
   const RandomStream stream(seed_, Purpose::kResampling, frame_);
   std::uint64_t next = stream.bits(0) >> (64 - claim_bits_);
-  auto births = found_.births.begin();
-  for (std::size_t i = 1; i < found_.voxels.size(); ++i) {
-    Voxel& voxel = found_.voxels[i];
+  auto births = found.births.begin();
+  for (std::size_t i = 1; i < found.voxels.size(); ++i) {
+    Voxel& voxel = found.voxels[i];
     // What is claimed beyond N_init, a trace of rounding, goes to a spare place and is lost.
     voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
-    found_.claims[i] = normalised(found_.claims[i], claim_per_weight);
+    found.claims[i] = normalised(found.claims[i], claim_per_weight);
     std::uint32_t count = 0;
     for (Part& part : parts_) {
       part.next.push_back(next);
       count += part.count[voxel.slot];
-      next += std::uint64_t{part.count[voxel.slot]} * found_.claims[i];
+      next += std::uint64_t{part.count[voxel.slot]} * found.claims[i];
     }
     // Particles that still name a voxel with none are forgotten ones: they claim nothing.
-    if (count == 0) found_.claims[i] = 0;
-    const bool has_births = births != found_.births.end() && births->place == i;
+    if (count == 0) found.claims[i] = 0;
+    const bool has_births = births != found.births.end() && births->place == i;
     if (has_births) {
       births->claim = normalised(births->claim, claim_per_weight);
       next += std::uint64_t{births->count} * births->claim;
@@ -173,7 +170,7 @@ void Particles::resample(const RingIndex& index) {
 void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
   const std::uint32_t* const place_of = places().data();
-  const std::uint32_t* const claims = found_.claims.data();
+  const std::uint32_t* const claims = found().claims.data();
   std::uint64_t* const next_of = part.next.data();
   const Particle* const particles = particles_.data();
   Particle* const resampled = resampled_.data();
@@ -199,18 +196,18 @@ void Particles::resample_part(int number) {
 /// The sum that belongs to the births of a voxel.
 VelocitySum& Particles::before(std::uint32_t place, Part& part) const {
   const auto births =
-      std::lower_bound(found_.births.begin(), found_.births.end(), place,
+      std::lower_bound(found().births.begin(), found().births.end(), place,
                        [](const Births& b, std::uint32_t p) { return b.place < p; });
-  return part.before[static_cast<std::size_t>(births - found_.births.begin())];
+  return part.before[static_cast<std::size_t>(births - found().births.begin())];
 }
 
 /// The newborn of each voxel, behind the copies of those that were there.
 void Particles::bear(const RingIndex& index) {
   const RandomStream stream(seed_, Purpose::kBirth, frame_);
   const Eigen::Vector3i& n = index.window().size;
-  for (std::size_t i = 0; i < found_.births.size(); ++i) {
-    const Births& births = found_.births[i];
-    const std::uint32_t slot = found_.voxels[births.place].slot;
+  for (std::size_t i = 0; i < found().births.size(); ++i) {
+    const Births& births = found().births[i];
+    const std::uint32_t slot = found().voxels[births.place].slot;
     const auto cell = static_cast<int>(slot);
     const Eigen::Vector3i corner =
         Eigen::Vector3i(cell % n.x(), cell / n.x() % n.y(), cell / n.x() / n.y()) *
