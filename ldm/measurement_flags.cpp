@@ -1,11 +1,13 @@
 #include "ldm/measurement_flags.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "ldm/ray_ends.h"
 #include "ldm/voxel_walk.h"
+#include "ldm/voxel_walks.h"
 
 namespace ldm {
 namespace {
@@ -43,11 +45,6 @@ VoxelIndex voxel_inside(const Eigen::Vector3f& p, const Eigen::Vector3i& size) {
   return p.cast<int>().cwiseMax(0).cwiseMin((size.array() - 1).matrix());
 }
 
-/// Always written: whether it has to be looks like chance.
-void raise(std::uint8_t& f, std::uint8_t to) {
-  f = std::max(f, to);
-}
-
 }  // namespace
 
 MeasurementFlags::MeasurementFlags(const MapParameters& map, NoReturnRays no_returns, bool shadows,
@@ -61,7 +58,7 @@ MeasurementFlags::MeasurementFlags(const MapParameters& map, NoReturnRays no_ret
   // A scan ends in few of the voxels; one that ends in more of them takes more memory, once.
   const std::size_t usual_ends = std::min<std::size_t>(window_.count(), 8192);
   for (Part& part : parts_) {
-    part.flags.resize(window_.count());
+    part.flags.resize(window_.count() + 1);
     part.hits.reserve(usual_ends);
     part.borders.reserve(usual_ends);
   }
@@ -80,6 +77,9 @@ void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
     mark_ends(scan, number, part);
     cast(part.borders, false, part);
     cast(part.hits, true, part);
+    for (const VoxelIndex& hit : part.hits) {
+      part.flags[window_.index(window_.origin + hit)] = flag::kOccupied;
+    }
   });
   if (parts_.size() > 1) combine();
 }
@@ -87,7 +87,7 @@ void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
 /// Into the flags of the first part, the larger of all.
 void MeasurementFlags::combine() {
   parallel_.run([&](int number) {
-    const auto [begin, end] = parallel_.share(number, parts_[0].flags.size());
+    const auto [begin, end] = parallel_.share(number, window_.count());
     std::uint8_t* const all = parts_[0].flags.data();
     for (std::size_t p = 1; p < parts_.size(); ++p) {
       const std::uint8_t* const some = parts_[p].flags.data();
@@ -142,64 +142,66 @@ void MeasurementFlags::end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& 
   (flag == flag::kOccupied ? part.hits : part.borders).push_back(voxel);
 }
 
-/// One ray through the centre of each voxel: free before it and, after a hit, shadow.
+/// One ray through the centre of each voxel: free before it and, after a hit, shadow. Four rays are
+/// on their way at a time; where one arrives, the next begins.
+///
+/// Free is written without a look at the flag it replaces, so no ray waits for another that has
+/// just crossed the same voxel. The hits among them are written again in the end.
 void MeasurementFlags::cast(std::span<const VoxelIndex> ends, bool hit, Part& part) const {
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    const bool is_pair = i + 1 < ends.size();
-    FreeRay first = ray_to(ends[i]);
-    FreeRay second = is_pair ? ray_to(ends[i + 1]) : FreeRay{};
-    walk_both(first, second, part);
-    walk_on(first, hit, part);
-    if (is_pair) walk_on(second, hit, part);
+  constexpr int kForEver = std::numeric_limits<int>::max();
+  std::uint8_t* const flags = part.flags.data();
+  VoxelWalks walks;
+  std::array<int, VoxelWalks::kLanes> left = {};  // steps of each walk
+  auto end = ends.begin();
+  const auto begin_next = [&](int lane) {
+    if (end == ends.end()) {
+      walks.set(lane, VoxelWalk(window_.count()));
+      return kForEver;
+    }
+    const std::optional<FreeRay> ray = ray_to(*end);
+    if (ray) walks.set(lane, ray->walk);
+    if (ray && hit && shadows_) cast_shadow(*ray, *end, part);
+    ++end;
+    return ray ? ray->steps.sum() : 0;
+  };
+  for (;;) {
+    for (int lane = 0; lane < VoxelWalks::kLanes; ++lane) {
+      while (left[lane] == 0) left[lane] = begin_next(lane);
+    }
+    const int steps = *std::min_element(left.begin(), left.end());
+    if (steps == kForEver) break;
+    for (int step = 0; step < steps; ++step) {
+      for (int lane = 0; lane < VoxelWalks::kLanes; ++lane) flags[walks.index(lane)] = flag::kFree;
+      walks.step();
+    }
+    for (int& n : left) {
+      if (n != kForEver) n -= steps;
+    }
   }
 }
 
-/// The ray from the sensor to the centre of `end`.
-MeasurementFlags::FreeRay MeasurementFlags::ray_to(const VoxelIndex& end) const {
+/// The ray from the sensor to the centre of `end`; none if there is nothing to cross.
+std::optional<MeasurementFlags::FreeRay> MeasurementFlags::ray_to(const VoxelIndex& end) const {
   const Eigen::Vector3f direction = end.cast<float>().array() + 0.5F - sensor_.array();
   const Stretch inside = clip(sensor_, direction, window_.size.cast<float>());
   if (!(inside.first < 1)) return {};    // the sensor sits outside the map, the voxel on its border
   if (inside.last == kNever) return {};  // in the very middle of the voxel: no direction
   const VoxelIndex start = voxel_inside(sensor_ + inside.first * direction, window_.size);
   // The centre is half a voxel from the walls of `end`: rounding cannot carry a wall across t = 1.
-  return {direction, end, VoxelWalk(sensor_, direction, inside.last, start, window_.size),
-          (end - start).cwiseAbs().sum()};
+  return FreeRay{direction, VoxelWalk(sensor_, direction, inside.last, start, window_.size),
+                 (end - start).cwiseAbs()};
 }
 
-/// Through free space along two rays at a time, to the end of the shorter: the processor steps
-/// along one while it waits for the other, which takes three quarters of the time at 128^3.
-void MeasurementFlags::walk_both(FreeRay& a, FreeRay& b, Part& part) const {
-  const int both = std::min(a.steps, b.steps);
-  VoxelWalk walk_a = a.walk;  // copies: nothing that the loop writes can be a part of them
-  VoxelWalk walk_b = b.walk;
-  std::uint8_t* const flags = part.flags.data();
-  for (int step = 0; step < both; ++step) {
-    raise(flags[walk_a.index()], flag::kFree);
-    raise(flags[walk_b.index()], flag::kFree);
-    walk_a.step();
-    walk_b.step();
-  }
-  a.walk = walk_a;
-  b.walk = walk_b;
-  a.steps -= both;
-  b.steps -= both;
-}
-
-/// To the end and, after a hit, on through its shadow.
-void MeasurementFlags::walk_on(const FreeRay& ray, bool hit, Part& part) const {
-  VoxelWalk walk = ray.walk;
-  for (int step = 0; step < ray.steps; ++step) {
-    raise(part.flags[walk.index()], flag::kFree);
-    walk.step();
-  }
-  if (!hit || !shadows_ || ray.direction.isZero(0)) return;
+/// On from `end`, where the ray arrives, to the border.
+void MeasurementFlags::cast_shadow(const FreeRay& ray, const VoxelIndex& end, Part& part) const {
   const float flags_per_t = ray.direction.norm() * flag::kStepsPerVoxel;
+  VoxelWalk walk = ray.walk.after(ray.steps);
   float t = walk.leaves_at();
-  BorderAhead border(ray.direction, ray.end, window_.size);
+  BorderAhead border(ray.direction, end, window_.size);
   while (border.inside_after(walk.step())) {
     const float behind = std::min((t - 1) * flags_per_t + kRounding, float{flag::kShadow - 1});
-    raise(part.flags[walk.index()],
-          static_cast<std::uint8_t>(flag::kShadow - static_cast<int>(behind)));
+    std::uint8_t& f = part.flags[walk.index()];
+    f = std::max(f, static_cast<std::uint8_t>(flag::kShadow - static_cast<int>(behind)));
     t = walk.leaves_at();
   }
 }

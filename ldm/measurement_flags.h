@@ -1,6 +1,7 @@
 #pragma once
 /// The measurement flag grid: ray casting a scan into occupied, free and shadow: paper Sec. 3.3.2.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,12 +26,14 @@ class MeasurementFlags {
   void mark(const Scan& scan, const VoxelBox& window);
 
   /// In window order (see VoxelBox::index).
-  std::span<const std::uint8_t> flags() const { return parts_[0].flags; }
+  std::span<const std::uint8_t> flags() const {
+    return std::span(parts_[0].flags).first(window_.count());
+  }
 
  private:
   /// One thread's stretch of the rays, with a grid of its own: the larger flag wins in the end.
   struct Part {
-    std::vector<std::uint8_t> flags;
+    std::vector<std::uint8_t> flags;  // and one for walks that have nowhere to go
     std::vector<VoxelIndex> hits;     // voxels with a return, each once, from the window's lowest
     std::vector<VoxelIndex> borders;  // voxels in which rays leave the map, each once
   };
@@ -38,17 +41,15 @@ class MeasurementFlags {
   void mark_ends(std::span<const Point> rays, bool for_ever, int number, Part& part) const;
   void mark_end_from_outside(const Eigen::Vector3f& direction, bool for_ever, Part& part) const;
   void end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& part) const;
-  /// A ray and how far it has come; one without a direction crosses nothing.
+  /// The ray to a voxel, at its beginning.
   struct FreeRay {
-    Eigen::Vector3f direction = Eigen::Vector3f::Zero();
-    VoxelIndex end = VoxelIndex::Zero();  // voxel in which it ends
+    Eigen::Vector3f direction;
     VoxelWalk walk;
-    int steps = 0;  // from where it is to `end`
+    Eigen::Vector3i steps;  // along each axis, to the voxel
   };
   void cast(std::span<const VoxelIndex> ends, bool hit, Part& part) const;
-  FreeRay ray_to(const VoxelIndex& end) const;
-  void walk_both(FreeRay& a, FreeRay& b, Part& part) const;
-  void walk_on(const FreeRay& ray, bool hit, Part& part) const;
+  std::optional<FreeRay> ray_to(const VoxelIndex& end) const;
+  void cast_shadow(const FreeRay& ray, const VoxelIndex& end, Part& part) const;
   void combine();
 
   double resolution_;

@@ -18,7 +18,8 @@ namespace ldm {
 /// alone, and takes a third of the time of the branches, guessed wrongly, of floating point.
 class VoxelWalk {
  public:
-  VoxelWalk() = default;  ///< goes nowhere
+  /// Stands still in the voxel of that linear index.
+  explicit VoxelWalk(std::size_t index) : index_(static_cast<int>(index)) {}
   /// @param origin of the ray, in voxels from the box's lowest corner
   /// @param direction per unit of t, in voxels; not zero
   /// @param exit t > 0 at which the ray leaves the box for good
@@ -47,6 +48,16 @@ class VoxelWalk {
     return static_cast<float>(std::min({next_[0], next_[1], next_[2]})) * unit_;
   }
 
+  /// The walk after so many steps along each axis, if it takes them.
+  VoxelWalk after(const Eigen::Vector3i& steps) const {
+    VoxelWalk later = *this;
+    for (int axis = 0; axis < 3; ++axis) {
+      later.index_ += step_[axis] * steps[axis];
+      later.next_[axis] += between_[axis] * steps[axis];
+    }
+    return later;
+  }
+
   /// One step along the axis with a 1.
   struct Step {
     int x, y, z;
@@ -64,6 +75,7 @@ class VoxelWalk {
   }
 
  private:
+  friend class VoxelWalks;
   static constexpr float kExit = 1 << 30;
   static constexpr float kLongest = (1 << 30) - (1 << 20);
   static constexpr std::int32_t kNever = 0x7fffff80;  // the largest float below 2^31

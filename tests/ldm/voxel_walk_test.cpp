@@ -43,6 +43,29 @@ TEST(VoxelWalkTest, DiagonalsStepAlongOneAxisAtATime) {
   EXPECT_EQ(walked({4.5F, 4.5F, 0.5F}, {-1, -1, 0}, 4.5F, {5, 5, 5}).size(), 9U);
 }
 
+TEST(VoxelWalkTest, StandsStillWithoutADirection) {
+  VoxelWalk walk(17);
+  walk.step();
+  EXPECT_EQ(walk.index(), 17U);
+}
+
+TEST(VoxelWalkTest, AfterSomeStepsItIsWhereTheyLead) {
+  const Eigen::Vector3i size(9, 9, 9);
+  const Eigen::Vector3f origin(4.3F, 4.4F, 4.6F);
+  for (const Eigen::Vector3f& direction :
+       {Eigen::Vector3f(3, -2, 1), Eigen::Vector3f(-0.1F, 0, 2)}) {
+    VoxelWalk walk(origin, direction, 1.3F, {4, 4, 4}, size);
+    const VoxelWalk begin = walk;
+    Eigen::Vector3i steps = Eigen::Vector3i::Zero();
+    for (int i = 0; i < 6; ++i) {
+      const VoxelWalk::Step step = walk.step();
+      steps += Eigen::Vector3i(step.x, step.y, step.z);
+      EXPECT_EQ(begin.after(steps).index(), walk.index());
+      EXPECT_EQ(begin.after(steps).leaves_at(), walk.leaves_at());
+    }
+  }
+}
+
 TEST(VoxelWalkTest, VisitsTheVoxelsThatTheRayCrosses) {
   Random random(11);
   for (const Eigen::Vector3i& size : map_sizes()) {
