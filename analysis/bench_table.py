@@ -54,8 +54,8 @@ def baseline_targets() -> list[Target]:
     for edge, least, most in ((32, 15, 0.5), (128, 30, 4.5)):
         buffer = Case("circular_buffer", edge)
         targets += [
-            Target(f"octomap over circular_buffer, {edge}^3", least, at_least=True,
-                   measured=Case("octomap", edge), against=buffer),
+            Target(f"liboctomap over circular_buffer, {edge}^3", least, at_least=True,
+                   measured=Case("liboctomap", edge), against=buffer),
             Target(f"circular_buffer, {edge}^3", most, measured=buffer, unit="ms"),
         ]
     return targets

@@ -1,12 +1,13 @@
 #include "baselines/octomap.h"
 
 #include <octomap/OcTree.h>
-#include <octomap/Pointcloud.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "baselines/no_clusters.h"
 #include "baselines/octomap_keys.h"
+#include "baselines/scan_cells.h"
 #include "ldm/log_odds.h"
 #include "ldm/scan_check.h"
 
@@ -20,18 +21,50 @@ octomap::point3d to_octomap(const Eigen::Vector3d& p) {
 
 }  // namespace
 
+/// The octree, and its cells that the last scan met.
+struct Octomap::Tree {
+  Tree(double resolution, double range_limit, const ldm::SensorModelParameters& sensor)
+      : max_range(range_limit),
+        octree(resolution),
+        // Rounding may carry the end of a ray into the next cell.
+        cells(static_cast<int>(std::ceil(range_limit / resolution)) + 2) {
+    octree.setProbHit(sensor.p_occ);
+    octree.setProbMiss(sensor.p_free);
+    octree.setClampingThresMin(ldm::probability(sensor.log_odds_min));
+    octree.setClampingThresMax(ldm::probability(sensor.log_odds_max));
+  }
+
+  /// A ray that ends beyond the range limit clears the way up to it, and marks nothing occupied.
+  void cast(const octomap::point3d& sensor, const octomap::point3d& end) {
+    const octomap::point3d way = end - sensor;
+    const bool within = way.norm() <= max_range;
+    const octomap::point3d last =
+        within ? end : sensor + way.normalized() * static_cast<float>(max_range);
+    octree.computeRayKeys(sensor, last, ray);
+    for (const octomap::OcTreeKey& key : ray) cells.cross(key);
+    if (within) cells.hit(octree.coordToKey(end));
+  }
+
+  /// Inner nodes get no occupancy of their own: nothing here reads it.
+  void update() {
+    constexpr bool kLazily = true;
+    for (const octomap::OcTreeKey& key : cells.keys()) {
+      octree.updateNode(key, cells.is_hit(key), kLazily);
+    }
+  }
+
+  double max_range;  // [m]
+  octomap::OcTree octree;
+  ScanCells cells;
+  octomap::KeyRay ray;  // cells that the last ray crosses
+};
+
 Octomap::Octomap(const ldm::Parameters& parameters)
     : resolution_(ldm::checked(parameters).map.resolution),
       use_no_returns_(parameters.sensor_model.no_returns == ldm::NoReturnRays::kFree),
       window_{-parameters.map.voxels / 2, parameters.map.voxels},
       max_range_(parameters.map.voxels.cast<double>().norm() / 2 * resolution_),
-      tree_(std::make_unique<octomap::OcTree>(resolution_)) {
-  const ldm::SensorModelParameters& sensor = parameters.sensor_model;
-  tree_->setProbHit(sensor.p_occ);
-  tree_->setProbMiss(sensor.p_free);
-  tree_->setClampingThresMin(ldm::probability(sensor.log_odds_min));
-  tree_->setClampingThresMax(ldm::probability(sensor.log_odds_max));
-}
+      tree_(std::make_unique<Tree>(resolution_, max_range_, parameters.sensor_model)) {}
 
 Octomap::~Octomap() = default;
 
@@ -52,19 +85,18 @@ void Octomap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
 
   if (listener != nullptr) listener->begin("occupancy_update");
   window_.origin = ldm::voxel_at(scan.T_world_uav.translation, resolution_) - window_.size / 2;
-  octomap::Pointcloud cloud;
-  cloud.reserve(scan.points.size() + scan.no_returns.size());
+  const octomap::point3d sensor = to_octomap(scan.T_world_sensor.translation);
+  tree_->cells.start(tree_->octree.coordToKey(sensor));
   for (const ldm::Point& p : scan.points) {
-    cloud.push_back(to_octomap(scan.T_world_sensor * p.cast<double>()));
+    tree_->cast(sensor, to_octomap(scan.T_world_sensor * p.cast<double>()));
   }
   if (use_no_returns_) {
-    // A point beyond the range limit clears the way up to the limit, and marks nothing occupied.
     for (const ldm::Point& direction : scan.no_returns) {
-      cloud.push_back(
-          to_octomap(scan.T_world_sensor * (2 * max_range_ * direction.cast<double>())));
+      const Eigen::Vector3d beyond = 2 * max_range_ * direction.cast<double>();
+      tree_->cast(sensor, to_octomap(scan.T_world_sensor * beyond));
     }
   }
-  tree_->insertPointCloud(cloud, to_octomap(scan.T_world_sensor.translation), max_range_);
+  tree_->update();
 }
 
 void Octomap::read(ldm::LocalMap& map) const {
@@ -72,12 +104,12 @@ void Octomap::read(ldm::LocalMap& map) const {
   map.resolution = resolution_;
   map.occupancy.assign(window_.count(), 0.5F);
   const ldm::VoxelIndex last = window_.origin + window_.size - ldm::VoxelIndex::Ones();
-  const auto end = tree_->end_leafs_bbx();
-  for (auto leaf = tree_->begin_leafs_bbx(key_of(window_.origin), key_of(last)); leaf != end;
+  const auto end = tree_->octree.end_leafs_bbx();
+  for (auto leaf = tree_->octree.begin_leafs_bbx(key_of(window_.origin), key_of(last)); leaf != end;
        ++leaf) {
     // A leaf above the lowest level stands for a cube of voxels, which may reach out of the window.
     const ldm::VoxelIndex low = voxel_of(leaf.getIndexKey());
-    const int edge = 1 << (tree_->getTreeDepth() - leaf.getDepth());
+    const int edge = 1 << (tree_->octree.getTreeDepth() - leaf.getDepth());
     const ldm::VoxelIndex from = low.cwiseMax(window_.origin);
     const ldm::VoxelIndex to = (low.array() + edge - 1).matrix().cwiseMin(last);
     const auto occupancy = static_cast<float>(leaf->getOccupancy());

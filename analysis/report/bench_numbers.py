@@ -37,7 +37,7 @@ def bench_numbers(evidence: Evidence) -> dict[str, str]:
         "large.particles": latex.value(LARGE[1], 0),
         "plain": latex.value(_ratio(ms(Case("plain_ldm", *SMALL)), frame), 0),
         "buffer": latex.value(buffer, 2),
-        "octomap": latex.value(_ratio(ms(Case("octomap", SMALL[0])), buffer), 0),
+        "octomap": latex.value(_ratio(ms(Case("liboctomap", SMALL[0])), buffer), 0),
         "cpu": latex.latex_text(document["machine"]["cpu"]),
         "bytes": latex.value(document["memory"]["bytes_beside_particles_per_voxel"], 1),
         "particle-bytes": str(PARTICLE_BYTES),

@@ -48,6 +48,7 @@ void add_targets(List& list) {
   for (const int edge : {32, 128}) {
     list.add({"circular_buffer", edge, 0, kFewRays, 1});
     list.add({"octomap", edge, 0, kFewRays, 1});
+    list.add({kLibOctomap, edge, 0, kFewRays, 1});
   }
   list.add({kSimulate, 0, 0, kFewRays, 1});
 }

@@ -3,6 +3,7 @@
 #include "datasets/simulation.h"
 #include "experiments/benchmarks/memory_bound.h"
 #include "experiments/methods.h"
+#include "tests/reference/liboctomap.h"
 #include "tests/reference/plain_ldm.h"
 
 namespace benchmarks {
@@ -43,14 +44,20 @@ class SimulationSubject final : public Subject {
   datasets::Frame frame_;
 };
 
+/// The method whose parameters a subject takes.
+std::string method_of(const Configuration& c) {
+  if (c.subject == kPlainLdm) return "ldm";
+  return c.subject == kLibOctomap ? "octomap" : c.subject;
+}
+
 std::unique_ptr<ldm::Mapper> make_mapper(const Configuration& c) {
-  const bool plain = c.subject == kPlainLdm;
-  const experiments::Method& method = experiments::find_method(plain ? "ldm" : c.subject);
+  const experiments::Method& method = experiments::find_method(method_of(c));
   ldm::Parameters parameters = experiments::default_parameters(method);
   parameters.map.voxels.setConstant(c.edge);
   if (c.particles > 0) parameters.particles.count = c.particles;
   parameters.execution.threads = c.threads;
-  if (plain) return std::make_unique<reference::PlainLdm>(parameters);
+  if (c.subject == kPlainLdm) return std::make_unique<reference::PlainLdm>(parameters);
+  if (c.subject == kLibOctomap) return std::make_unique<reference::LibOctomap>(parameters);
   return method.create(parameters);
 }
 

@@ -20,7 +20,7 @@ MILLISECONDS = {
     bound("cache", 200_000, 1): 0.25,
     Case("plain_ldm", 32, 200_000): 60.0,
     Case("circular_buffer", 32): 0.6,
-    Case("octomap", 32): 6.0,
+    Case("liboctomap", 32): 6.0,
 }
 
 
@@ -63,7 +63,7 @@ def test_ratios_by_hand(bench):
     assert row(bench, f"{one} memory") == ["2.000", "1.000", "2.00", "<= 2.5 times", "met"]
     assert row(bench, f"{one} cache") == ["2.000", "0.250", "8.00", "<= 2.5 times", "NOT MET"]
     assert row(bench, "plain") == ["60.000", "2.000", "30.00", ">= 25 times", "met"]
-    assert row(bench, "octomap over circular_buffer, 32") == [
+    assert row(bench, "liboctomap over circular_buffer, 32") == [
         "6.000", "0.600", "10.00", ">= 15 times", "NOT MET"]
     assert row(bench, "circular_buffer, 32^3") == ["0.600", "", "0.60", "<= 0.5 ms", "NOT MET"]
     assert row(bench, "64x2048") == ["2.500", "2.000", "1.25", "<= 1.5 times", "met"]

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/ldm/random_inputs.h"
+#include "tests/reference/liboctomap.h"
 #include "tests/reference/scan_of_boxes.h"
 
 namespace baselines {
@@ -60,6 +62,31 @@ TEST_F(OctomapTest, RemembersWhatTheWindowHasLeft) {
   EXPECT_EQ(map_.occupancy, std::vector<float>(map_.window.count(), 0.5F));
   octomap_.update(reference::scan_at(time_, {0, 0, 0}));
   EXPECT_NEAR(log_odds(4), kHit, 1e-5);
+}
+
+TEST_F(OctomapTest, IsWhatInsertPointCloudMakesOfTheSameScans) {
+  reference::LibOctomap library{ldm::Parameters()};
+  ldm::LocalMap expected;
+  ldm::Random random(5);
+  Eigen::Vector3d uav = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 30; ++k) {
+    for (int axis = 0; axis < 3; ++axis) uav[axis] += ldm::uniform(-0.1, 0.1, random);
+    // A box that comes and goes, one beyond the window, and a wall beyond the range limit.
+    const Eigen::Vector3d corner(1, -0.5, -0.5 + (k + 1) % 3);
+    const std::vector<reference::Box> boxes = {{corner, corner + Eigen::Vector3d(0.4, 1, 1)},
+                                               {{-4, -1, -1}, {-3, 1, 1}},
+                                               {{-9, 5, -2}, {9, 6, 2}}};
+    const ldm::Scan scan = reference::scan_of_boxes(time_++, uav, boxes, 128);
+    octomap_.update(scan);
+    library.update(scan);
+    octomap_.read(map_);
+    library.read(expected);
+    ASSERT_EQ(map_.window.origin, expected.window.origin);
+    ASSERT_EQ(map_.occupancy, expected.occupancy) << "scan " << k;
+  }
+  const auto [lowest, highest] = std::minmax_element(map_.occupancy.begin(), map_.occupancy.end());
+  EXPECT_LT(*lowest, 0.2F);
+  EXPECT_GT(*highest, 0.6F);
 }
 
 TEST_F(OctomapTest, RefusesAUavOutOfTheTree) {
