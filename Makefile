@@ -151,7 +151,7 @@ fuzz: setup ## fuzz the readers of recordings, each for FUZZ_SECONDS (600): docs
 	  --target $(fuzz_targets:%=fuzz_%) | sed '/Built target/d'
 	@for target in $(fuzz_targets); do \
 	  mkdir -p build-fuzz/corpus/$$target; \
-	  build-fuzz/tests/fuzz/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -timeout=60 -rss_limit_mb=4096 -malloc_limit_mb=8192 \
+	  build-fuzz/bin/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -timeout=60 -rss_limit_mb=4096 -malloc_limit_mb=8192 \
 	    -artifact_prefix=build-fuzz/$$target- build-fuzz/corpus/$$target tests/fuzz/corpus/$$target || exit 1; \
 	done
 

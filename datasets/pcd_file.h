@@ -1,8 +1,8 @@
 #pragma once
 /// Point clouds in the PCD format of the Point Cloud Library, version 0.7 (no paper section).
 ///
-/// A reader of our own: Debian's PCL brings 372 packages with it, among them VTK and Qt. Its tests
-/// hold it against files that PCL wrote.
+/// PCL's reader decodes them (pcd_decoder.h), behind a check of our own (pcd_check.h): alone, it
+/// takes most damaged files for whole.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +18,7 @@ namespace datasets {
 /// @param name for messages
 /// @throws BrokenFrame naming the line or byte at which the file is none, or is not as long as its
 ///   header says.
+/// @throws std::runtime_error if the library that decodes cannot be loaded.
 void parse_pcd(std::string_view content, const std::string& name, std::vector<ldm::Point>& points);
 
 }  // namespace datasets

@@ -1,11 +1,9 @@
 #include "experiments/view.h"
 
-#include <dlfcn.h>
-
 #include <chrono>
-#include <filesystem>
 #include <thread>
 
+#include "datasets/loaded_library.h"
 #include "datasets/picture_window.h"
 #include "experiments/picture_stream.h"
 
@@ -15,25 +13,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using datasets::PictureWindow;
 
-/// Beside the program, or where it was installed.
-void* load_library() {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  for (const char* place : {".", "../lib/ldm"}) {
-    const std::filesystem::path file =
-        program.parent_path() / place / datasets::kPictureWindowLibrary;
-    if (!std::filesystem::exists(file)) continue;
-    if (void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
-    throw std::runtime_error("view: " + std::string(dlerror()));
-  }
-  throw ldm::InvalidInput(
-      "view: this program was built without a window: allowed: after `make view`, which installs "
-      "Debian's libmrpt-gui-dev and builds one");
-}
-
 std::unique_ptr<PictureWindow> open_window(const std::string& title) {
-  const auto open = reinterpret_cast<datasets::OpenPictureWindow*>(
-      dlsym(load_library(), datasets::kOpenPictureWindow));
-  if (open == nullptr) throw std::runtime_error("view: the window's library is of another version");
+  auto* const open = datasets::loaded_function<datasets::OpenPictureWindow>(
+      datasets::kPictureWindowLibrary, datasets::kOpenPictureWindow);
+  if (open == nullptr) {
+    throw ldm::InvalidInput(
+        "view: this program was built without a window: allowed: after `make view`, which installs "
+        "Debian's libmrpt-gui-dev and builds one");
+  }
   std::string error;
   std::unique_ptr<PictureWindow> window(open(title.c_str(), error));
   if (!window) throw ldm::InvalidInput("view: " + error);

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "datasets/broken_frame.h"
 #include "tests/datasets/text_file.h"
@@ -40,6 +42,47 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 constexpr char kHeader[] =
     "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ";
+
+template <class T>
+void append(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// The body of a binary_compressed file, whose LZF copies all bytes in runs of at most 32.
+std::string compressed(const std::string& bytes) {
+  std::string runs;
+  for (std::size_t i = 0; i < bytes.size(); i += 32) {
+    const std::string run = bytes.substr(i, 32);
+    runs += static_cast<char>(run.size() - 1) + run;
+  }
+  std::string body;
+  append(body, static_cast<std::uint32_t>(runs.size()));
+  append(body, static_cast<std::uint32_t>(bytes.size()));
+  return body + runs;
+}
+
+/// Two points of the lowest numbers, the highest, and 1 to 4.
+template <class T>
+void expect_type(const std::string& type) {
+  const T low = std::numeric_limits<T>::lowest();
+  const T high = std::numeric_limits<T>::max();
+  const T numbers[2][3] = {{low, high, 1}, {2, 3, 4}};
+  std::string points, fields;
+  for (const auto& point : numbers) {
+    for (const T number : point) append(points, number);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const auto& point : numbers) append(fields, point[axis]);
+  }
+  const std::string size = std::to_string(sizeof(T));
+  const std::string header = "FIELDS x y z\nSIZE " + size + ' ' + size + ' ' + size + "\nTYPE " +
+                             type + ' ' + type + ' ' + type + "\nWIDTH 2\nDATA ";
+  const std::vector<ldm::Point> expected = {{static_cast<float>(low), static_cast<float>(high), 1},
+                                            {2, 3, 4}};
+  EXPECT_EQ(points_of(header + "binary\n" + points), expected) << type << size;
+  EXPECT_EQ(points_of(header + "binary_compressed\n" + compressed(fields)), expected)
+      << type << size;
+}
 
 std::string ascii(const std::string& points) {
   return kHeader + std::string("ascii\n") + points;
@@ -80,11 +123,60 @@ TEST(PcdFile, TakesOldHeadersOtherTypesAndOrders) {
   EXPECT_EQ(points_of(binary).at(0), ldm::Point(-300, 2.5F, 200));
 }
 
+TEST(PcdFile, TakesEveryType) {
+  expect_type<std::int8_t>("I");
+  expect_type<std::int16_t>("I");
+  expect_type<std::int32_t>("I");
+  expect_type<std::int64_t>("I");
+  expect_type<std::uint8_t>("U");
+  expect_type<std::uint16_t>("U");
+  expect_type<std::uint32_t>("U");
+  expect_type<std::uint64_t>("U");
+  expect_type<float>("F");
+  expect_type<double>("F");
+}
+
+TEST(PcdFile, OtherFieldsDoNotMatter) {
+  const std::string header =
+      "FIELDS histogram z _ x x y _\nSIZE 2 4 1 4 8 4 1\nTYPE U F U F F F I\n"
+      "COUNT 2 1 3 1 0 1 1\nWIDTH 2\nDATA ";
+  const std::vector<ldm::Point> expected = {{1, 2, 3}, {4, 5, 6}};
+  EXPECT_EQ(points_of(header + "ascii\nnan what 3 _ _ _ 1 2 0\n8 8 6 nan 0 1e999 4 5 six\n"),
+            expected);
+  std::string points;
+  for (const ldm::Point& p : expected) {
+    points += "hhhh";
+    append(points, p.z());
+    points += "___";
+    append(points, p.x());
+    append(points, p.y());
+    points += "_";
+  }
+  EXPECT_EQ(points_of(header + "binary\n" + points), expected);
+  std::string fields = "hhhhhhhh";
+  for (const ldm::Point& p : expected) append(fields, p.z());
+  fields += "______";
+  for (const ldm::Point& p : expected) append(fields, p.x());
+  for (const ldm::Point& p : expected) append(fields, p.y());
+  fields += "__";
+  EXPECT_EQ(points_of(header + "binary_compressed\n" + compressed(fields)), expected);
+}
+
+TEST(PcdFile, AsciiNumbersAreWhatIsWritten) {
+  const auto points = points_of(
+      "FIELDS x y z\nSIZE 1 2 4\nTYPE U I F\nWIDTH 2\nDATA ascii\n"
+      "300 -2.5 0.1\r\n \r\n\t1e-40 inf\t16777217\r\n\r\n");
+  const std::vector<ldm::Point> expected = {
+      {300, -2.5F, 0.1F}, {1e-40F, std::numeric_limits<float>::infinity(), 16777216}};
+  EXPECT_EQ(points, expected);
+}
+
 TEST(PcdFile, AnEmptyCloudIsOne) {
-  for (const char* encoding : {"ascii\n", "binary\n"}) {
+  const std::string no_bytes(8, '\0');
+  for (const std::string& encoding :
+       {std::string("ascii\n"), std::string("binary\n"), "binary_compressed\n" + no_bytes}) {
     EXPECT_TRUE(
-        points_of("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nDATA " + std::string(encoding))
-            .empty());
+        points_of("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nDATA " + encoding).empty());
   }
 }
 
@@ -153,7 +245,15 @@ TEST(PcdFile, CompressedPointsThatAreDamaged) {
   EXPECT_NE(error_of(other_size).find("uncompressed size"), std::string::npos);
   std::string damaged = whole;
   damaged[begin + 8] = '\xff';  // a reference to what lies before the beginning
-  EXPECT_NE(error_of(damaged).find("the compressed points are damaged"), std::string::npos);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(error_of(damaged),
+            "x.pcd: byte " + std::to_string(begin + 8) + ": the compressed points are damaged");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");  // PCL would tell the user as well
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  const std::string nothing = kHeader + std::string("binary_compressed\n") +
+                              std::string("\0\0\0\0\x18\0\0\0", 8);  // 24 bytes out of none
+  EXPECT_NE(error_of(nothing).find("the compressed points are damaged"), std::string::npos);
 }
 
 TEST(PcdFile, ASmallFileCannotAskForMuchMemory) {
