@@ -7,6 +7,8 @@
 
 #include "baselines/no_clusters.h"
 #include "baselines/octomap_keys.h"
+#include "baselines/octomap_ray.h"
+#include "baselines/octree_cursor.h"
 #include "baselines/scan_cells.h"
 #include "ldm/log_odds.h"
 #include "ldm/scan_check.h"
@@ -40,23 +42,23 @@ struct Octomap::Tree {
     const bool within = way.norm() <= max_range;
     const octomap::point3d last =
         within ? end : sensor + way.normalized() * static_cast<float>(max_range);
-    octree.computeRayKeys(sensor, last, ray);
-    for (const octomap::OcTreeKey& key : ray) cells.cross(key);
+    for_each_crossed(octree, sensor, last,
+                     [&](const octomap::OcTreeKey& key) { cells.cross(key); });
     if (within) cells.hit(octree.coordToKey(end));
   }
 
   /// Inner nodes get no occupancy of their own: nothing here reads it.
   void update() {
-    constexpr bool kLazily = true;
     for (const octomap::OcTreeKey& key : cells.keys()) {
-      octree.updateNode(key, cells.is_hit(key), kLazily);
+      octree.updateNodeLogOdds(
+          &cursor.leaf(key), cells.is_hit(key) ? octree.getProbHitLog() : octree.getProbMissLog());
     }
   }
 
   double max_range;  // [m]
   octomap::OcTree octree;
+  OctreeCursor cursor{octree};
   ScanCells cells;
-  octomap::KeyRay ray;  // cells that the last ray crosses
 };
 
 Octomap::Octomap(const ldm::Parameters& parameters)

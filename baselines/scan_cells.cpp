@@ -13,23 +13,4 @@ void ScanCells::start(const octomap::OcTreeKey& sensor) {
   }
 }
 
-void ScanCells::cross(const octomap::OcTreeKey& key) {
-  std::uint8_t& cell = grid_[index(key)];
-  if (cell != kUnmet) return;
-  cell = kCrossed;
-  keys_.push_back(key);
-}
-
-void ScanCells::hit(const octomap::OcTreeKey& key) {
-  cross(key);
-  grid_[index(key)] = kHit;
-}
-
-std::size_t ScanCells::index(const octomap::OcTreeKey& key) const {
-  const auto from_lowest = [&](unsigned axis) {
-    return std::size_t{static_cast<octomap::key_type>(key[axis] - lowest_[axis])};
-  };
-  return from_lowest(0) + edge_ * (from_lowest(1) + edge_ * from_lowest(2));
-}
-
 }  // namespace baselines

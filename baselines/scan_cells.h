@@ -18,8 +18,16 @@ class ScanCells {
 
   /// Forgets the cells of the scan before.
   void start(const octomap::OcTreeKey& sensor);
-  void cross(const octomap::OcTreeKey& key);
-  void hit(const octomap::OcTreeKey& key);
+  void cross(const octomap::OcTreeKey& key) {
+    std::uint8_t& cell = grid_[index(key)];
+    if (cell != kUnmet) return;
+    cell = kCrossed;
+    keys_.push_back(key);
+  }
+  void hit(const octomap::OcTreeKey& key) {
+    cross(key);
+    grid_[index(key)] = kHit;
+  }
 
   /// In the order in which the rays met them first.
   const std::vector<octomap::OcTreeKey>& keys() const { return keys_; }
@@ -27,7 +35,12 @@ class ScanCells {
 
  private:
   static constexpr std::uint8_t kUnmet = 0, kCrossed = 1, kHit = 2;
-  std::size_t index(const octomap::OcTreeKey& key) const;
+  std::size_t index(const octomap::OcTreeKey& key) const {
+    const auto from_lowest = [&](unsigned axis) {
+      return std::size_t{static_cast<octomap::key_type>(key[axis] - lowest_[axis])};
+    };
+    return from_lowest(0) + edge_ * (from_lowest(1) + edge_ * from_lowest(2));
+  }
 
   std::size_t edge_;
   octomap::OcTreeKey lowest_;  // of the grid
