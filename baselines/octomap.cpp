@@ -109,18 +109,9 @@ void Octomap::read(ldm::LocalMap& map) const {
   const auto end = tree_->octree.end_leafs_bbx();
   for (auto leaf = tree_->octree.begin_leafs_bbx(key_of(window_.origin), key_of(last)); leaf != end;
        ++leaf) {
-    // A leaf above the lowest level stands for a cube of voxels, which may reach out of the window.
-    const ldm::VoxelIndex low = voxel_of(leaf.getIndexKey());
-    const int edge = 1 << (tree_->octree.getTreeDepth() - leaf.getDepth());
-    const ldm::VoxelIndex from = low.cwiseMax(window_.origin);
-    const ldm::VoxelIndex to = (low.array() + edge - 1).matrix().cwiseMin(last);
-    const auto occupancy = static_cast<float>(leaf->getOccupancy());
-    for (int z = from.z(); z <= to.z(); ++z) {
-      for (int y = from.y(); y <= to.y(); ++y) {
-        const auto row = static_cast<std::ptrdiff_t>(window_.index({from.x(), y, z}));
-        std::fill_n(map.occupancy.begin() + row, to.x() - from.x() + 1, occupancy);
-      }
-    }
+    // Nobody prunes the tree: each leaf is one voxel.
+    map.occupancy[window_.index(voxel_of(leaf.getKey()))] =
+        static_cast<float>(leaf->getOccupancy());
   }
   read_no_clusters(map);
 }

@@ -27,7 +27,7 @@ class Octomap final : public ldm::Mapper {
 
   /// @throws ldm::InvalidInput also on a UAV or sensor too close to the border of the tree.
   void update(const ldm::Scan& scan, ldm::StageListener* listener = nullptr) override;
-  /// Cost: a descent into the tree for each voxel.
+  /// Cost: a walk over the leaves in the window.
   void read(ldm::LocalMap& map) const override;
 
  private:
