@@ -13,6 +13,7 @@ double thread_cpu_ms() {
 }
 
 void step(Timed& timed, std::size_t k) {
+  timed.subject->prepare(k);
   const double began = thread_cpu_ms();
   timed.wall.start_frame();
   timed.subject->step(k, timed.wall);
