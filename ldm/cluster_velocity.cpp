@@ -5,9 +5,8 @@ namespace ldm {
 Velocity cluster_velocity(std::span<const Run> runs, const RingIndex& index,
                           const Particles& particles) {
   VelocitySum sum;
-  for (const Run& run : runs) {
-    for_each_slot(index, run, [&](std::size_t slot) { sum.add(particles.velocity_sum(slot)); });
-  }
+  for_each_stretch(index, runs,
+                   [&](std::size_t slot, std::size_t n) { sum.add(particles.in_slots(slot, n)); });
   return sum.mean();
 }
 
@@ -19,10 +18,10 @@ void set_cluster_velocities(const ClusterParameters& parameters, const RingIndex
     cluster.velocity = cluster_velocity(runs, index, particles);
     cluster.dynamic = cluster.velocity.norm() >= static_cast<float>(parameters.static_below);
     if (!parameters.readjust) continue;
-    for (const Run& run : runs) {
-      for_each_slot(index, run,
-                    [&](std::size_t slot) { particles.set_velocity(slot, cluster.velocity); });
-    }
+    const CommonVelocity velocity(cluster.velocity);
+    for_each_stretch(index, runs, [&](std::size_t slot, std::size_t n) {
+      particles.set_velocity(slot, n, velocity);
+    });
   }
 }
 

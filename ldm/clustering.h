@@ -69,11 +69,14 @@ class Clustering {
   std::vector<Extent> extents_;
 };
 
-/// Calls visit(slot) for each voxel of `run`, where `index` is that of the clustering.
+/// Calls visit(first, n) for each stretch of slots [first, first + n) that `runs` stand in, where
+/// `index` is that of the clustering.
 template <class Visit>
-void for_each_slot(const RingIndex& index, const Run& run, Visit&& visit) {
-  for (const RowPiece& piece : row_pieces(index, run.x_begin, run.x_end, run.y, run.z)) {
-    for (int i = 0; i < piece.length; ++i) visit(piece.slot + static_cast<std::size_t>(i));
+void for_each_stretch(const RingIndex& index, std::span<const Run> runs, Visit&& visit) {
+  for (const Run& run : runs) {
+    for (const RowPiece& piece : row_pieces(index, run.x_begin, run.x_end, run.y, run.z)) {
+      if (piece.length > 0) visit(piece.slot, static_cast<std::size_t>(piece.length));
+    }
   }
 }
 

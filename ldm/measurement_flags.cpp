@@ -116,7 +116,8 @@ void MeasurementFlags::mark_ends(std::span<const Point> rays, bool for_ever, int
     }
     ends.find(some, for_ever);
     for (std::size_t i = 0; i < some.size(); ++i) {
-      end_in(ends.voxel(i), ends.flag(i), part);
+      // Few rays are the first in their voxel: a quick look keeps the others short.
+      if (part.flags[ends.index(i)] < ends.flag(i)) end_in(ends.voxel(i), ends.flag(i), part);
     }
   }
 }

@@ -95,25 +95,28 @@ class ParticleCopy {
   Int32x4 all_;
 };
 
-/// The velocity of all particles in a slot: one store each, which writes what they share of the
-/// slot as well, instead of three.
-class SlotVelocity {
+/// One velocity for many particles: a load and a store each, instead of three stores.
+class CommonVelocity {
  public:
-  SlotVelocity(const Velocity& v, std::uint32_t slot) {
-    Particle p{};
-    p.vx = Particle::quantised(v.x());
-    p.vy = Particle::quantised(v.y());
-    p.vz = Particle::quantised(v.z());
-    p.slot = slot;
-    std::memcpy(&bytes_, reinterpret_cast<const std::byte*>(&p) + kVelocityOffset, sizeof bytes_);
-  }
-  /// To `p`, which must be in the slot.
-  void give(Particle& p) const {
-    std::memcpy(reinterpret_cast<std::byte*>(&p) + kVelocityOffset, &bytes_, sizeof bytes_);
+  explicit CommonVelocity(const Velocity& v)
+      : velocity_(bytes_of({0, 0, 0, Particle::quantised(v.x()), Particle::quantised(v.y()),
+                            Particle::quantised(v.z()), 0})),
+        rest_(~bytes_of({0, 0, 0, -1, -1, -1, 0})) {}
+
+  void give(std::span<Particle> some) const {
+    for (Particle& p : some) {
+      const std::int64_t bytes = (bytes_of(p) & rest_) | velocity_;
+      std::memcpy(reinterpret_cast<std::byte*>(&p) + kVelocityOffset, &bytes, kThreeAxes);
+    }
   }
 
  private:
-  std::int64_t bytes_;
+  static std::int64_t bytes_of(const Particle& p) {
+    std::int64_t bytes = 0;
+    std::memcpy(&bytes, reinterpret_cast<const std::byte*>(&p) + kVelocityOffset, kThreeAxes);
+    return bytes;
+  }
+  std::int64_t velocity_, rest_;
 };
 
 /// Sum of the velocities of some particles, in Particle::kVelocityQuantum: exact in any order.

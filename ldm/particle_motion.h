@@ -1,46 +1,12 @@
 #pragma once
-/// How a particle changes its velocity and moves on: paper Eq. (4), (5).
-#include <algorithm>
+/// How a particle moves on: paper Eq. (5).
 #include <cstdint>
 
 #include "ldm/lanes.h"
-#include "ldm/parameters.h"
 #include "ldm/particle.h"
-#include "ldm/random.h"
 #include "ldm/ring_buffer.h"
 
 namespace ldm {
-
-/// The noise of a particle's velocity in one frame.
-class VelocityNoise {
- public:
-  explicit VelocityNoise(const ParticleParameters& particles)
-      : xy_(particles.sigma_xy / Particle::kVelocityQuantum),
-        z_(particles.sigma_z / Particle::kVelocityQuantum) {}
-
-  /// v_k = v_{k-1} + sigma of a pair [Particle::kVelocityQuantum], each from 36 random bits;
-  /// saturates.  Eq. (4)
-  Int16x8 changed(const Int16x8& v, std::uint64_t first, std::uint64_t second) const {
-    return saturating_sum(v, Int16x8{x(first), y(first), z(first), 0,  //
-                                     x(second), y(second), z(second), 0});
-  }
-  /// The same of one particle.
-  void change(Particle& p, std::uint64_t bits) const {
-    p.vx = sum(p.vx, x(bits));
-    p.vy = sum(p.vy, y(bits));
-    p.vz = sum(p.vz, z(bits));
-  }
-
- private:
-  std::int16_t x(std::uint64_t bits) const { return xy_(bits); }
-  std::int16_t y(std::uint64_t bits) const { return xy_(bits >> NormalTable::kBits); }
-  std::int16_t z(std::uint64_t bits) const { return z_(bits >> 2 * NormalTable::kBits); }
-  static std::int16_t sum(int a, int b) {
-    return static_cast<std::int16_t>(std::clamp(a + b, INT16_MIN, INT16_MAX));
-  }
-
-  NormalTable xy_, z_;
-};
 
 /// Motion by dt in the window of a map, in fixed point.
 class ParticleMotion {

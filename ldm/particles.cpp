@@ -56,6 +56,11 @@ void Particles::scatter_uniformly(const RingIndex& index) {
             [](const Particle& a, const Particle& b) { return a.slot < b.slot; });
 }
 
+Parallel::Share Particles::stretch(int part) const {
+  const auto [begin, end] = parallel_.share(part, (n_init_ + 1) / 2);
+  return {2 * begin, std::min(2 * end, n_init_)};
+}
+
 void Particles::predict(double dt, const RingIndex& index) {
   ++frame_;
   const ParticleMotion motion(index, fraction_bits_, dt / resolution_);
@@ -69,25 +74,18 @@ void Particles::predict_part(int part, ParticleMotion motion) {
   std::fill(counts.begin(), counts.end(), 0U);
   std::uint32_t* const count = counts.data();
   Particle* const particles = particles_.data();
-  const auto predict_two = [&](Particle* two, std::size_t i) {
+  const auto [begin, end] = stretch(part);
+  for (std::size_t i = begin; i < end; i += 2) {
+    Particle* const two = particles + i;
     ParticlePair pair(two);
-    pair.velocity = noise_.changed(pair.velocity, stream.bits(i), stream.bits(i + 1));
-    pair.store(motion.move(pair.position, pair.velocity), two);
-  };
-  const auto [begin, end] = parallel_.share(part, n_init_);
-  std::size_t i = begin;
-  for (; i + 1 < end; i += 2) {
-    predict_two(particles + i, i);
-    ++count[particles[i].slot];
-    ++count[particles[i + 1].slot];
+    pair.velocity = noise_.changed(pair.velocity, stream.bits(i / 2));
+    const Int32x4 slots = motion.move(pair.position, pair.velocity);
+    pair.store(slots, two);
+    ++count[static_cast<std::uint32_t>(slots[0])];
+    ++count[static_cast<std::uint32_t>(slots[2])];
   }
-  if (i < end) {
-    Particle last_and_copy[] = {particles[i], particles[i]};
-    predict_two(last_and_copy, i);
-    particles[i] = last_and_copy[0];
-    ++count[particles[i].slot];
-  }
-  counts.back() = 0;  // those that left the map
+  if (end % 2 == 1) --count[particles[end].slot];  // a spare place made up the last pair
+  counts.back() = 0;                               // those that left the map
 }
 
 void Particles::forget(std::size_t first, std::size_t n) {
@@ -96,28 +94,30 @@ void Particles::forget(std::size_t first, std::size_t n) {
   }
 }
 
-std::span<Particle> Particles::slot_range(std::size_t slot) {
-  const std::size_t place = places()[slot] & ~kHasBirths;
-  if (place == 0) return {};
-  const std::size_t first = found().voxels[place].first;
-  const std::size_t last =
-      place + 1 < found().voxels.size() ? found().voxels[place + 1].first : n_init_;
-  return {particles_.data() + first, last - first};
+std::span<Particle> Particles::slot_range(std::size_t first, std::size_t n) {
+  std::size_t last = first + n;
+  while (first < last && places()[first] == 0) ++first;
+  while (first < last && places()[last - 1] == 0) --last;
+  if (first == last) return {};
+  const std::vector<Voxel>& voxels = found().voxels;
+  const std::size_t behind = places()[last - 1] + std::size_t{1};
+  const std::size_t begin = voxels[places()[first]].first;
+  const std::size_t end = behind < voxels.size() ? voxels[behind].first : n_init_;
+  return {particles_.data() + begin, end - begin};
 }
 
-std::span<const Particle> Particles::in_slot(std::size_t slot) const {
-  return const_cast<Particles*>(this)->slot_range(slot);
+std::span<const Particle> Particles::in_slots(std::size_t first, std::size_t n) const {
+  return const_cast<Particles*>(this)->slot_range(first, n);
 }
 
-VelocitySum Particles::velocity_sum(std::size_t slot) const {
+Velocity Particles::voxel_velocity(std::size_t slot) const {
   VelocitySum sum;
   sum.add(in_slot(slot));
-  return sum;
+  return sum.mean();
 }
 
-void Particles::set_velocity(std::size_t slot, const Velocity& v) {
-  const SlotVelocity velocity(v, static_cast<std::uint32_t>(slot));
-  for (Particle& p : slot_range(slot)) velocity.give(p);
+void Particles::set_velocity(std::size_t first, std::size_t n, const CommonVelocity& v) {
+  v.give(slot_range(first, n));
 }
 
 Eigen::Vector3d Particles::position(const Particle& p, const RingIndex& index) const {

@@ -18,7 +18,9 @@
 #include "ldm/parameters.h"
 #include "ldm/particle.h"
 #include "ldm/particle_motion.h"
+#include "ldm/random.h"
 #include "ldm/ring_buffer.h"
+#include "ldm/velocity_noise.h"
 
 namespace ldm {
 
@@ -51,14 +53,14 @@ class Particles {
 
   /// All particles; sorted by slot after `resample`.
   std::span<const Particle> all() const { return {particles_.data(), n_init_}; }
-  /// The particles in a slot, after `resample`. Cost: O(1).
-  std::span<const Particle> in_slot(std::size_t slot) const;
-  /// Sum over the particles in a slot, after `resample`.
-  VelocitySum velocity_sum(std::size_t slot) const;
+  /// The particles in slots [first, first + n), after `resample`. Cost: a look at the empty slots
+  /// at both ends.
+  std::span<const Particle> in_slots(std::size_t first, std::size_t n) const;
+  std::span<const Particle> in_slot(std::size_t slot) const { return in_slots(slot, 1); }
   /// V_k^j: mean velocity [m/s] of the particles in a slot after `resample`, or zero.  Eq. (12)
-  Velocity voxel_velocity(std::size_t slot) const { return velocity_sum(slot).mean(); }
-  /// Give all particles in a slot one velocity [m/s].  Eq. (17)
-  void set_velocity(std::size_t slot, const Velocity& v);
+  Velocity voxel_velocity(std::size_t slot) const;
+  /// Give all particles in slots [first, first + n) one velocity [m/s].  Eq. (17)
+  void set_velocity(std::size_t first, std::size_t n, const CommonVelocity& v);
   /// Position of a particle in the window of `index` [m], world frame; the middle of its quantum.
   Eigen::Vector3d position(const Particle& p, const RingIndex& index) const;
 
@@ -91,7 +93,7 @@ class Particles {
   // Spare places behind the particles: some for what is claimed beyond N_init, and some for each
   // part. They fill a cache line, so that threads do not share one.
   static constexpr std::size_t kSpare = 64 / sizeof(Particle);
-  static constexpr std::uint32_t kHasBirths = 0x80000000;  // beside the place in a count
+  static constexpr std::uint32_t kHasBirths = 1;  // the lowest bit of a claim, 0 in all others
   /// One thread's stretch of the particles, and of the slots.
   struct Part {
     Claimants found;                   // by `weigh`, which gathers all in that of the first part
@@ -100,6 +102,8 @@ class Particles {
     std::vector<VelocitySum> before;   // beside births: of the particles here before resampling
   };
 
+  /// The particles of a part: whole pairs, but for the last of all.
+  Parallel::Share stretch(int part) const;
   void scatter_uniformly(const RingIndex& index);
   void predict_part(int part, ParticleMotion motion);
   void weigh_part(int part, std::span<const float> log_odds);
@@ -113,7 +117,7 @@ class Particles {
   /// of `stream`.  Eq. (13)
   Particle newborn(std::uint32_t slot, const Velocity& mean, const Eigen::Vector3i& corner,
                    const RandomStream& stream, std::uint64_t draw) const;
-  std::span<Particle> slot_range(std::size_t slot);
+  std::span<Particle> slot_range(std::size_t first, std::size_t n);
   std::uint32_t count(std::size_t slot) const;
   VelocitySum& before(std::uint32_t place, Part& part) const;
   /// Per slot, from `resample` on: its place among the voxels, 0 for none; its count until then.

@@ -3,7 +3,6 @@
 ///
 /// Particle i of frame k gets the same numbers whichever thread asks, and in whichever order, so
 /// results do not depend on the number of threads.
-#include <array>
 #include <cstdint>
 
 namespace ldm {
@@ -24,33 +23,13 @@ class RandomStream {
   static std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
     __extension__ using Wide = unsigned __int128;
     const Wide product = Wide{a} * b;
-    return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+    return static_cast<std::uint64_t>(product ^ (product >> 64));
   }
   static constexpr std::uint64_t kA = 0xa0761d6478bd642fULL;
   static constexpr std::uint64_t kB = 0xe7037ed1a0b428dbULL;
   static constexpr std::uint64_t kC = 0x8ebc6af09c88c6e3ULL;
 
   std::uint64_t key_;
-};
-
-/// N(0, sigma^2) in whole units, by the inverse distribution function at 4096 equally likely
-/// points.
-///
-/// 12 random bits make one draw: no logarithm, no sine, the same integers on every machine. The
-/// points reach +-3.7 sigma; the table is scaled so that its variance is sigma^2 but for rounding.
-class NormalTable {
- public:
-  static constexpr int kBits = 12;
-
-  /// @param sigma standard deviation in units; entries must fit 16 bits: 0 <= sigma <= 8000.
-  explicit NormalTable(double sigma);
-
-  /// A draw from the lowest 12 bits of `bits`.
-  std::int16_t operator()(std::uint64_t bits) const { return values_[bits & (kSize - 1)]; }
-
- private:
-  static constexpr std::size_t kSize = std::size_t{1} << kBits;
-  std::array<std::int16_t, kSize> values_;
 };
 
 }  // namespace ldm

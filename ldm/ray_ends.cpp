@@ -8,12 +8,6 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// t at which o + t * d leaves [0, size], o inside.
-float exit(float o, float d, float size) {
-  const float t = ((d > 0 ? size : 0) - o) / d;
-  return d == 0 ? kNever : t;
-}
-
 /// Truncation is floor in the box, and cheaper; rounding may have carried x across its border.
 std::int32_t cell(float x, float size) {
   return static_cast<std::int32_t>(std::min(std::max(0.0F, x), size - 1));
@@ -23,7 +17,9 @@ std::int32_t cell(float x, float size) {
 
 void RayEnds::find(std::span<const Point> rays, bool for_ever) {
   const float reach = for_ever ? kNever : 1;
-  const Eigen::Vector3f size = size_.cast<float>();
+  const Eigen::Array3f size = size_.cast<float>();
+  const Eigen::Array3f per_high = 1 / (size - sensor_.array());
+  const Eigen::Array3f per_low = -1 / sensor_.array();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const float x = rays[i].x();
     const float y = rays[i].y();
@@ -31,14 +27,17 @@ void RayEnds::find(std::span<const Point> rays, bool for_ever) {
     const float dx = turn_(0, 0) * x + turn_(0, 1) * y + turn_(0, 2) * z;
     const float dy = turn_(1, 0) * x + turn_(1, 1) * y + turn_(1, 2) * z;
     const float dz = turn_(2, 0) * x + turn_(2, 1) * y + turn_(2, 2) * z;
-    const float leaves =
-        std::min(exit(sensor_.x(), dx, size.x()),
-                 std::min(exit(sensor_.y(), dy, size.y()), exit(sensor_.z(), dz, size.z())));
+    // The wall that is reached first is the one of the largest 1/t: one division instead of three.
+    const float to_x = std::max(dx * per_high.x(), dx * per_low.x());
+    const float to_y = std::max(dy * per_high.y(), dy * per_low.y());
+    const float to_z = std::max(dz * per_high.z(), dz * per_low.z());
+    const float leaves = 1 / std::max(0.0F, std::max(to_x, std::max(to_y, to_z)));
     const float t = std::min(leaves, reach);
     flag_[i] = reach < leaves ? flag::kOccupied : leaves < kNever ? flag::kFree : flag::kNone;
     x_[i] = cell(sensor_.x() + t * dx, size.x());
     y_[i] = cell(sensor_.y() + t * dy, size.y());
     z_[i] = cell(sensor_.z() + t * dz, size.z());
+    index_[i] = x_[i] + size_.x() * (y_[i] + size_.y() * z_[i]);
   }
 }
 

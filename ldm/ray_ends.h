@@ -15,7 +15,7 @@ class RayEnds {
  public:
   static constexpr std::size_t kMost = 64;
 
-  /// @param sensor origin of the rays, inside the box [0, size] of voxels
+  /// @param sensor origin of the rays, inside the box (0, size) of voxels
   /// @param turn from the frame of `rays` to the box's axes, times voxels per metre
   RayEnds(const Eigen::Vector3f& sensor, const Eigen::Matrix3f& turn, const Eigen::Vector3i& size)
       : sensor_(sensor), turn_(turn), size_(size) {}
@@ -28,12 +28,14 @@ class RayEnds {
   std::uint8_t flag(std::size_t i) const { return static_cast<std::uint8_t>(flag_[i]); }
   /// That voxel, counted from the box's lowest.
   VoxelIndex voxel(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
+  /// Its row-major position in the box, x fastest.
+  std::size_t index(std::size_t i) const { return static_cast<std::size_t>(index_[i]); }
 
  private:
   Eigen::Vector3f sensor_;
   Eigen::Matrix3f turn_;
   Eigen::Vector3i size_;
-  std::array<std::int32_t, kMost> flag_, x_, y_, z_;
+  std::array<std::int32_t, kMost> flag_, x_, y_, z_, index_;
 };
 
 }  // namespace ldm

@@ -21,7 +21,7 @@ class ClusterVelocityTest : public testing::Test {
 
   const RingIndex& index() const { return filter_.log_odds.index(); }
   void give(const VoxelIndex& v, const Velocity& velocity) {
-    filter_.particles.set_velocity(index().slot(v), velocity);
+    filter_.particles.set_velocity(index().slot(v), 1, CommonVelocity(velocity));
   }
   std::size_t particles_in(const VoxelIndex& v) const {
     return filter_.particles.in_slot(index().slot(v)).size();

@@ -160,8 +160,12 @@ class ClusteringOracleTest : public testing::Test {
       std::vector<std::size_t> slots;
       for (const ldm::Run& run : clustering.runs_of(c)) {
         EXPECT_EQ(run.cluster, static_cast<std::int32_t>(c));
-        for_each_slot(log_odds_->index(), run, [&](std::size_t slot) { slots.push_back(slot); });
       }
+      for_each_stretch(log_odds_->index(), clustering.runs_of(c),
+                       [&](std::size_t first, std::size_t n) {
+                         ASSERT_GT(n, 0u);
+                         for (std::size_t i = 0; i < n; ++i) slots.push_back(first + i);
+                       });
       std::vector<std::size_t> expected;
       for (std::size_t i = 0; i < occupied_.size(); ++i) {
         if (component_[i] != static_cast<int>(c)) continue;

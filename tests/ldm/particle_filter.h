@@ -50,7 +50,7 @@ struct ParticleFilter {
     log_odds.recenter(c, [&](std::size_t first, std::size_t n) { particles.forget(first, n); });
   }
   void set_all_velocities(const Velocity& v) {
-    for (std::size_t s = 0; s < log_odds.cells().size(); ++s) particles.set_velocity(s, v);
+    particles.set_velocity(0, log_odds.cells().size(), CommonVelocity(v));
   }
   std::vector<Particle> snapshot() const {
     return {particles.all().begin(), particles.all().end()};

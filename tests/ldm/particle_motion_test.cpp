@@ -1,4 +1,4 @@
-/// Two particles' axes side by side: load, noise, motion, store.
+/// Two particles' axes side by side: load, motion, store.
 #include "ldm/particle_motion.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,6 @@ namespace {
 
 constexpr int kLowest = INT16_MIN;
 constexpr int kHighest = INT16_MAX;
-
-ParticleParameters with_sigma(double sigma) {
-  ParticleParameters parameters;
-  parameters.sigma_xy = sigma;
-  parameters.sigma_z = sigma;
-  return parameters;
-}
 
 TEST(ParticlePairTest, StoresWhatItLoadsBesideItsNeighbours) {
   const Particle first{1, 2, 3, 4, 5, 6, 7};
@@ -71,43 +64,23 @@ TEST(VelocitySumTest, OfManyIsThatOfEach) {
   }
 }
 
-TEST(VelocityNoiseTest, SaturatesInsteadOfTurningAround) {
-  const VelocityNoise noise(with_sigma(3));
-  const std::uint64_t up = ~std::uint64_t{0};
-  const Int16x8 highest = Int16x8{} + static_cast<std::int16_t>(kHighest);
-  const Int16x8 lowest = Int16x8{} + static_cast<std::int16_t>(kLowest);
-  const Int16x8 most = noise.changed(highest, up, up);
-  const Int16x8 least = noise.changed(lowest, 0, 0);
-  const Int16x8 both = noise.changed(Int16x8{}, up, 0);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const int lane : {axis, 4 + axis}) {
-      EXPECT_EQ(most[lane], kHighest);
-      EXPECT_EQ(least[lane], kLowest);
-    }
-    EXPECT_GT(both[axis], 3 * 3 * 1024);
-    EXPECT_LT(both[4 + axis], -3 * 3 * 1024);
+TEST(CommonVelocityTest, ChangesTheVelocityAlone) {
+  Particle particles[] = {{1, 2, 65535, 4, 5, 6, 0xfffffffe},
+                          {7, 8, 9, -1, kLowest, kHighest, 1},
+                          {4, 5, 6, 7, 8, 9, 3}};
+  CommonVelocity({-0.5F, 40, 2.0F / 1024}).give({particles, 2});
+  for (int i = 0; i < 2; ++i) {
+    const Particle& p = particles[i];
+    EXPECT_EQ(Eigen::Vector3i(p.vx, p.vy, p.vz), Eigen::Vector3i(-512, kHighest, 2));
   }
-}
-
-TEST(VelocityNoiseTest, OfAPairIsThatOfEach) {
-  const VelocityNoise noise(with_sigma(0.8));
-  Random random(9);
-  for (int trial = 0; trial < 1000; ++trial) {
-    Particle two[2]{};
-    for (Particle& p : two) {
-      p.vx = static_cast<std::int16_t>(uniform_int(kLowest, kHighest, random));
-      p.vy = kLowest;
-      p.vz = kHighest;
-    }
-    const std::uint64_t bits[2] = {random(), random()};
-    const Int16x8 pair = noise.changed(ParticlePair(two).velocity, bits[0], bits[1]);
-    for (int i = 0; i < 2; ++i) {
-      noise.change(two[i], bits[i]);
-      ASSERT_EQ(pair[4 * i], two[i].vx);
-      ASSERT_EQ(pair[4 * i + 1], two[i].vy);
-      ASSERT_EQ(pair[4 * i + 2], two[i].vz);
-    }
-  }
+  EXPECT_EQ(Eigen::Vector3i(particles[0].x, particles[0].y, particles[0].z),
+            Eigen::Vector3i(1, 2, 65535));
+  EXPECT_EQ(particles[0].slot, 0xfffffffe);
+  EXPECT_EQ(Eigen::Vector3i(particles[1].x, particles[1].y, particles[1].z),
+            Eigen::Vector3i(7, 8, 9));
+  EXPECT_EQ(particles[1].slot, 1u);
+  EXPECT_EQ(Eigen::Vector3i(particles[2].vx, particles[2].vy, particles[2].vz),
+            Eigen::Vector3i(7, 8, 9));
 }
 
 /// Motion of one map against the same in double precision.

@@ -70,7 +70,7 @@ TEST_F(SparseParticlesTest, NewbornTakeTheMeanVelocityOfTheirVoxel) {
   std::vector<Velocity> velocities;
   for (std::size_t slot = 0; slot < counts.size(); ++slot) {
     velocities.emplace_back(slot % 2 == 0 ? 2.0F : -1.0F, static_cast<float>(slot % 3), 0.5F);
-    f.particles.set_velocity(slot, velocities[slot]);
+    f.particles.set_velocity(slot, 1, CommonVelocity(velocities[slot]));
     if (counts[slot] == 2 && slot % 50 == 0) f.log_odds.cells()[slot] = 3.5F;
   }
   f.frame(0);
@@ -92,7 +92,7 @@ TEST_F(SparseParticlesTest, NoiseIsAddedToTheMeanVelocity) {
   const std::vector<std::size_t> counts = f.counts();
   const auto slot =
       static_cast<std::size_t>(std::find(counts.begin() + 9000, counts.end(), 3u) - counts.begin());
-  f.particles.set_velocity(slot, {4, -3, 2});
+  f.particles.set_velocity(slot, 1, CommonVelocity({4, -3, 2}));
   f.log_odds.cells()[slot] = 3.5F;
   f.particles.predict(0, f.log_odds.index());
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

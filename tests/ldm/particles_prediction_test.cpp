@@ -121,7 +121,7 @@ TEST(ParticlePredictionTest, ThoseThatLeftAreNotResampled) {
   for (std::size_t i = 0; i < window.count(); ++i) {
     const VoxelIndex v = reference::voxel_of(window, i);
     const std::size_t slot = filter.log_odds.index().slot(v);
-    filter.particles.set_velocity(slot, {v.y() < 0 ? 30.0F : 0.0F, 0, 0});
+    filter.particles.set_velocity(slot, 1, CommonVelocity({v.y() < 0 ? 30.0F : 0.0F, 0, 0}));
   }
   filter.frame(1);
   expect_in_order(filter, kResolution);

@@ -123,5 +123,21 @@ TEST(VoxelVelocityTest, MeanOfTheParticlesOfEachVoxel) {
   }
 }
 
+TEST(ParticlesTest, StretchesOfSlotsHoldTheParticlesOfEach) {
+  ParticleParameters parameters = particle_parameters(200, 1.5);
+  parameters.birth = false;  // some slots are empty
+  ParticleFilter filter(map_of({7, 7, 7}), parameters);
+  filter.frame(0.2);
+  for (std::size_t first = 0; first <= 343; ++first) {
+    std::size_t particles = 0;
+    for (std::size_t n = 0; first + n <= 343; ++n) {
+      if (n > 0) particles += filter.particles.in_slot(first + n - 1).size();
+      const std::span<const Particle> some = filter.particles.in_slots(first, n);
+      ASSERT_EQ(some.size(), particles);
+      for (const Particle& p : some) ASSERT_TRUE(p.slot >= first && p.slot < first + n);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ldm
