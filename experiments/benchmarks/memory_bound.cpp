@@ -35,6 +35,17 @@ MemoryBound::MemoryBound(State state, std::int64_t particles, std::int64_t threa
   ring_.assign(buffers, Buffer(n));
 }
 
+void MemoryBound::visit_pages() const {
+  constexpr std::size_t kPage = 4096 / sizeof(Particle);
+  [[maybe_unused]] volatile std::uint32_t word = 0;  // so that the compiler keeps the reads
+  for (std::size_t i = 0; i < std::min(kBuffersAtOnce, ring_.size()); ++i) {
+    const Buffer& buffer = after_next(i);
+    for (std::size_t p = 0; p < buffer.size(); p += kPage) {
+      word = buffer[p].words[0];
+    }
+  }
+}
+
 void MemoryBound::step() {
   if (state_ == State::kCached) {
     pass(ring_[0]);

@@ -18,6 +18,9 @@ class MemoryBound {
   };
   MemoryBound(State state, std::int64_t particles, std::int64_t threads);
 
+  /// Read a word of each page that the next step goes over: pages that lay untouched for seconds
+  /// may cost a virtual machine a fault each, which no memory is to blame for.
+  void visit_pages() const;
   /// The three passes.
   void step();
 
@@ -27,6 +30,7 @@ class MemoryBound {
   };
   using Buffer = std::vector<Particle>;
 
+  const Buffer& after_next(std::size_t i) const { return ring_[(next_ + 1 + i) % ring_.size()]; }
   void pass(Buffer& buffer) const;
   void copy(const Buffer& from, Buffer& to) const;
   Buffer& next();

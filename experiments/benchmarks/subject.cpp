@@ -29,6 +29,7 @@ class BoundSubject final : public Subject {
  public:
   BoundSubject(MemoryBound::State state, const Configuration& c)
       : bound_(state, c.particles, c.threads) {}
+  void prepare(std::size_t) override { bound_.visit_pages(); }
   void step(std::size_t, ldm::StageListener&) override { bound_.step(); }
 
  private:
