@@ -42,7 +42,7 @@ void Clustering::add_run(int x_begin, int x_end, int y, int z) {
 
 /// The first occupied voxel from i on, or n. It goes by whole stretches, which become vectors.
 int Clustering::next_occupied(const float* l, int i, int n) const {
-  constexpr int kStretch = 16;
+  constexpr int kStretch = 32;
   const auto is_empty = [&](int first) {
     int any = 0;
     for (int k = first; k < first + kStretch; ++k) any |= static_cast<int>(l[k] > threshold_);
