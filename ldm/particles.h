@@ -90,8 +90,8 @@ class Particles {
     void clear();
     void append(const Claimants& behind);
   };
-  // Spare places behind the particles: some for what is claimed beyond N_init, and some for each
-  // part. They fill a cache line, so that threads do not share one.
+  // Spare places behind the particles: some to make up the last pair, and some for each part. They
+  // fill a cache line, so that threads do not share one.
   static constexpr std::size_t kSpare = 64 / sizeof(Particle);
   static constexpr std::uint32_t kHasBirths = 1;  // the lowest bit of a claim, 0 in all others
   /// One thread's stretch of the particles, and of the slots.

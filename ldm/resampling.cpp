@@ -25,10 +25,12 @@ struct Copies {
   std::array<std::uint32_t, kBlock> first{}, last{};
   std::array<std::uint32_t, kBlock> one, other;  // places of two copies
 
-  /// Sets `one` and `other`. True if a particle has a third copy.
-  bool choose(std::uint32_t spare) {
+  /// Sets `one` and `other`; what lies from `end` on is lost. True if a particle has a third copy.
+  bool choose(std::uint32_t end, std::uint32_t spare) {
     std::uint32_t any = 0;
     for (std::size_t i = 0; i < kBlock; ++i) {
+      first[i] = std::min(first[i], end);
+      last[i] = std::min(last[i], end);
       const std::uint32_t copies = last[i] - first[i];
       one[i] = copies > 0 ? first[i] : spare;
       other[i] = copies > 1 ? first[i] + 1 : spare;
@@ -158,7 +160,7 @@ void Particles::claim() {
   auto births = found.births.begin();
   for (std::size_t i = 1; i < found.voxels.size(); ++i) {
     Voxel& voxel = found.voxels[i];
-    // What is claimed beyond N_init, a trace of rounding, goes to a spare place and is lost.
+    // What is claimed beyond N_init, a trace of rounding, is lost.
     voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
     const bool has_births = births != found.births.end() && births->place == i;
     const std::uint32_t each =
@@ -213,7 +215,7 @@ void Particles::resample_part(int number) {
       __builtin_prefetch(&resampled[copies.first[i]], kToWrite);
       if ((claim & kHasBirths) != 0) before(place, part).add(block[i]);
     }
-    const bool third = copies.choose(spare);
+    const bool third = copies.choose(static_cast<std::uint32_t>(n_init_), spare);
     for (std::size_t i = 0; i < n; ++i) {
       const ParticleCopy particle(block[i]);
       particle.put(resampled[copies.one[i]]);
@@ -251,8 +253,8 @@ void Particles::bear(const RingIndex& index) {
     for (std::uint32_t birth = 0; birth < births.count; ++birth) {
       const std::uint64_t begin = next >> claim_bits_;
       next += births.claim;
-      const std::uint64_t end = next >> claim_bits_;
-      if (begin == end) continue;
+      const std::uint64_t end = std::min<std::uint64_t>(next >> claim_bits_, n_init_);
+      if (begin >= end) continue;
       const std::uint64_t draw = (std::uint64_t{slot} << 32) + 2 * birth;
       const Particle p = newborn(slot, before.mean(), corner, stream, draw);
       for (std::uint64_t to = begin; to < end; ++to) resampled_[to] = p;

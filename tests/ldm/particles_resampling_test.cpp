@@ -226,6 +226,28 @@ TEST(ParticleResamplingTest, AlwaysAllOfThemSortedAndInTheWindow) {
   }
 }
 
+// One particle claims half of all, the others next to nothing: their claims are whole units of what
+// makes the one's claim fit, and together reach tens of places beyond N_init.
+TEST(ParticleResamplingTest, WhatIsClaimedBeyondAllParticlesIsLost) {
+  for (const bool birth : {false, true}) {
+    ParticleFilter filter = filter_of({64, 64, 64}, 220001, birth);
+    filter.frame(0);
+    const std::vector<std::size_t> before = filter.counts();
+    const auto lonely =
+        static_cast<std::size_t>(std::find(before.begin(), before.end(), 1u) - before.begin());
+    ASSERT_LT(lonely, before.size());
+    std::ranges::fill(filter.log_odds.cells(), -20.0F);
+    filter.log_odds.cells()[lonely] = 20;
+    filter.frame(0);
+    expect_in_order(filter, kResolution);
+    const double prior = 1 / 220001.0;
+    const double occupied = birth ? 20 + prior : 1 + prior;  // 19 newborn claim 1 each, no prior
+    const double all = occupied + 1 + 220000 * std::exp(-20);
+    const auto found = static_cast<double>(filter.particles.in_slot(lonely).size());
+    EXPECT_NEAR(found, 220001 * occupied / all, 400);  // priors of 76.3 units count as 76
+  }
+}
+
 TEST(ParticleResamplingTest, OccupiedVoxelsGainWhatFreeOnesLose) {
   ParticleFilter filter = filter_of({8, 8, 8}, 50000, false);
   for (std::size_t slot = 0; slot < 256; ++slot) {  // the half of z < 4 in memory
