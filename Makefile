@@ -172,7 +172,7 @@ format: setup ## lay out all C++ with clang-format
 # --- Speed -----------------------------------------------------------------------------------------
 
 .PHONY: bench
-bench: $(BUILD)/Makefile ## speed of ours, bound, reference and baselines: results/bench.json, 4 minutes
+bench: $(BUILD)/Makefile ## speed of ours, bound, reference and baselines: results/bench.json, 2 to 4 minutes
 	@$(call compile,ldm_bench ldm_kernels)
 	@$(PYTHON) experiments/benchmarks/bench.py --program $(BUILD)/bin/ldm_bench \
 	  --kernels $(BUILD)/bin/ldm_kernels --results $(RESULTS) $(if $(FRAMES),--frames '$(FRAMES)')

@@ -40,15 +40,17 @@ void Clustering::add_run(int x_begin, int x_end, int y, int z) {
                    static_cast<std::int16_t>(y), static_cast<std::int16_t>(z), 0});
 }
 
-/// The first occupied voxel from i on, or n. It goes by whole stretches, which become vectors.
+/// Looks at all of them, in vectors.
+bool Clustering::is_empty(const float* l, int n) const {
+  int any = 0;
+  for (int k = 0; k < n; ++k) any |= static_cast<int>(l[k] > threshold_);
+  return any == 0;
+}
+
+/// The first occupied voxel from i on, or n.
 int Clustering::next_occupied(const float* l, int i, int n) const {
-  constexpr int kStretch = 32;
-  const auto is_empty = [&](int first) {
-    int any = 0;
-    for (int k = first; k < first + kStretch; ++k) any |= static_cast<int>(l[k] > threshold_);
-    return any == 0;
-  };
-  while (i + kStretch <= n && is_empty(i)) i += kStretch;
+  constexpr int kStretch = 16;
+  while (i + kStretch <= n && is_empty(l + i, kStretch)) i += kStretch;
   while (i < n && !(l[i] > threshold_)) ++i;
   return i;
 }
@@ -60,6 +62,8 @@ void Clustering::find_runs(const RingBuffer<float>& log_odds) {
   for (int z = 0; z < size_.z(); ++z) {
     for (int y = 0; y < size_.y(); ++y) {
       first_run_of_row_.push_back(static_cast<std::int32_t>(runs_.size()));
+      // Most rows are empty. A row as a whole has its slots side by side, wherever it wraps.
+      if (is_empty(cells + row_slot(log_odds.index(), y, z), size_.x())) continue;
       for (const RowPiece& piece : row_pieces(log_odds.index(), 0, size_.x(), y, z)) {
         const float* const l = cells + piece.slot;
         for (int i = next_occupied(l, 0, piece.length); i < piece.length;) {

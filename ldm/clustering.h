@@ -43,6 +43,7 @@ class Clustering {
   void read(LocalMap& map) const;
 
  private:
+  bool is_empty(const float* l, int n) const;
   int next_occupied(const float* l, int i, int n) const;
   void find_runs(const RingBuffer<float>& log_odds);
   void add_run(int x_begin, int x_end, int y, int z);

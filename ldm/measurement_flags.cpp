@@ -116,8 +116,7 @@ void MeasurementFlags::mark_ends(std::span<const Point> rays, bool for_ever, int
     }
     ends.find(some, for_ever);
     for (std::size_t i = 0; i < some.size(); ++i) {
-      // Few rays are the first in their voxel: a quick look keeps the others short.
-      if (part.flags[ends.index(i)] < ends.flag(i)) end_in(ends.voxel(i), ends.flag(i), part);
+      end_in(ends.index(i), ends.flag(i), part);
     }
   }
 }
@@ -128,19 +127,21 @@ void MeasurementFlags::mark_end_from_outside(const Eigen::Vector3f& direction, b
   const Eigen::Vector3f size = window_.size.cast<float>();
   const Eigen::Array3f end = (sensor_ + direction).array();
   if (!for_ever && (end >= 0).all() && (end < size.array()).all()) {
-    return end_in(end.cast<int>(), flag::kOccupied, part);
+    return end_in(window_.index(window_.origin + end.cast<int>().matrix()), flag::kOccupied, part);
   }
   const Stretch inside = clip(sensor_, direction, size);
   if (!(inside.first < std::min(inside.last, for_ever ? kNever : 1))) return;
-  end_in(voxel_inside(sensor_ + inside.last * direction, window_.size), flag::kFree, part);
+  const VoxelIndex border = voxel_inside(sensor_ + inside.last * direction, window_.size);
+  end_in(window_.index(window_.origin + border), flag::kFree, part);
 }
 
-/// Flags a voxel in which a ray ends and, the first time, lists it.
-void MeasurementFlags::end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& part) const {
-  std::uint8_t& f = part.flags[window_.index(window_.origin + voxel)];
-  if (f >= flag) return;
-  f = flag;
-  (flag == flag::kOccupied ? part.hits : part.borders).push_back(voxel);
+/// Flags the voxel and lists it.
+void MeasurementFlags::first_end_in(std::size_t index, std::uint8_t flag, Part& part) const {
+  part.flags[index] = flag;
+  const auto i = static_cast<int>(index);
+  const Eigen::Vector3i& n = window_.size;
+  (flag == flag::kOccupied ? part.hits : part.borders)
+      .emplace_back(i % n.x(), i / n.x() % n.y(), i / n.x() / n.y());
 }
 
 /// One ray through the centre of each voxel: free before it and, after a hit, shadow. Four rays are

@@ -40,7 +40,11 @@ class MeasurementFlags {
   void mark_ends(const Scan& scan, int number, Part& part) const;
   void mark_ends(std::span<const Point> rays, bool for_ever, int number, Part& part) const;
   void mark_end_from_outside(const Eigen::Vector3f& direction, bool for_ever, Part& part) const;
-  void end_in(const VoxelIndex& voxel, std::uint8_t flag, Part& part) const;
+  /// A ray ends in a voxel. Few are the first: the others are done with a look at the flag.
+  void end_in(std::size_t index, std::uint8_t flag, Part& part) const {
+    if (part.flags[index] < flag) first_end_in(index, flag, part);
+  }
+  void first_end_in(std::size_t index, std::uint8_t flag, Part& part) const;
   /// The ray to a voxel, at its beginning.
   struct FreeRay {
     Eigen::Vector3f direction;

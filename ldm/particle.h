@@ -98,11 +98,13 @@ class ParticleCopy {
 /// One velocity for many particles: a load and a store each, instead of three stores.
 class CommonVelocity {
  public:
+  /// @param v [m/s]; saturates as in a particle
   explicit CommonVelocity(const Velocity& v)
       : velocity_(bytes_of({0, 0, 0, Particle::quantised(v.x()), Particle::quantised(v.y()),
                             Particle::quantised(v.z()), 0})),
         rest_(~bytes_of({0, 0, 0, -1, -1, -1, 0})) {}
 
+  /// Positions and slots stay.
   void give(std::span<Particle> some) const {
     for (Particle& p : some) {
       const std::int64_t bytes = (bytes_of(p) & rest_) | velocity_;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+
+#include "ldm/particle.h"
 
 namespace ldm {
 namespace {

@@ -1,9 +1,6 @@
 #pragma once
 /// How a particle moves on: paper Eq. (5).
-#include <cstdint>
-
 #include "ldm/lanes.h"
-#include "ldm/particle.h"
 #include "ldm/ring_buffer.h"
 
 namespace ldm {

@@ -28,16 +28,17 @@ void RayEnds::find(std::span<const Point> rays, bool for_ever) {
     const float dy = turn_(1, 0) * x + turn_(1, 1) * y + turn_(1, 2) * z;
     const float dz = turn_(2, 0) * x + turn_(2, 1) * y + turn_(2, 2) * z;
     // The wall that is reached first is the one of the largest 1/t: one division instead of three.
+    // Beside a wall 1/t may be infinite, or not a number, which std::max passes over as its second.
     const float to_x = std::max(dx * per_high.x(), dx * per_low.x());
     const float to_y = std::max(dy * per_high.y(), dy * per_low.y());
     const float to_z = std::max(dz * per_high.z(), dz * per_low.z());
     const float leaves = 1 / std::max(0.0F, std::max(to_x, std::max(to_y, to_z)));
     const float t = std::min(leaves, reach);
     flag_[i] = reach < leaves ? flag::kOccupied : leaves < kNever ? flag::kFree : flag::kNone;
-    x_[i] = cell(sensor_.x() + t * dx, size.x());
-    y_[i] = cell(sensor_.y() + t * dy, size.y());
-    z_[i] = cell(sensor_.z() + t * dz, size.z());
-    index_[i] = x_[i] + size_.x() * (y_[i] + size_.y() * z_[i]);
+    const std::int32_t cell_x = cell(sensor_.x() + t * dx, size.x());
+    const std::int32_t cell_y = cell(sensor_.y() + t * dy, size.y());
+    const std::int32_t cell_z = cell(sensor_.z() + t * dz, size.z());
+    index_[i] = cell_x + size_.x() * (cell_y + size_.y() * cell_z);
   }
 }
 

@@ -26,16 +26,14 @@ class RayEnds {
   /// What the last voxel of ray i is: flag::kOccupied if it ends in the box, flag::kFree if it
   /// leaves the box there, flag::kNone for a ray without a direction.
   std::uint8_t flag(std::size_t i) const { return static_cast<std::uint8_t>(flag_[i]); }
-  /// That voxel, counted from the box's lowest.
-  VoxelIndex voxel(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
-  /// Its row-major position in the box, x fastest.
+  /// That voxel: its row-major position in the box, x fastest.
   std::size_t index(std::size_t i) const { return static_cast<std::size_t>(index_[i]); }
 
  private:
   Eigen::Vector3f sensor_;
   Eigen::Matrix3f turn_;
   Eigen::Vector3i size_;
-  std::array<std::int32_t, kMost> flag_, x_, y_, z_, index_;
+  std::array<std::int32_t, kMost> flag_, index_;
 };
 
 }  // namespace ldm

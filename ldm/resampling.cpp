@@ -1,9 +1,9 @@
 /// Class Particles from its weights to its next generation: paper Eq. (11), (13)-(15).
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
+#include "ldm/copy_places.h"
 #include "ldm/log_odds.h"
 #include "ldm/particles.h"
 
@@ -13,32 +13,7 @@ namespace {
 constexpr double kOneWeight = 1 << 24;
 constexpr int kClaimBits = 31;        // of a particle's claim: it fits 32
 constexpr std::size_t kStretch = 32;  // slots looked at as one
-constexpr std::size_t kBlock = 64;    // particles whose copies go at a time
 constexpr int kToWrite = 1;           // of a prefetch
-
-/// Where the copies of a block of particles go: those of particle i to [first, last).
-///
-/// Most have no copy, one or two, as if by chance: a processor that guesses which loses more time
-/// than by two copies of all, which go to a spare place where they are too many. The choice is made
-/// in vectors; it takes 0.9 of the time of conditional moves, particle after particle.
-struct Copies {
-  std::array<std::uint32_t, kBlock> first{}, last{};
-  std::array<std::uint32_t, kBlock> one, other;  // places of two copies
-
-  /// Sets `one` and `other`; what lies from `end` on is lost. True if a particle has a third copy.
-  bool choose(std::uint32_t end, std::uint32_t spare) {
-    std::uint32_t any = 0;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      first[i] = std::min(first[i], end);
-      last[i] = std::min(last[i], end);
-      const std::uint32_t copies = last[i] - first[i];
-      one[i] = copies > 0 ? first[i] : spare;
-      other[i] = copies > 1 ? first[i] + 1 : spare;
-      any |= static_cast<std::uint32_t>(copies > 2);
-    }
-    return any != 0;
-  }
-};
 
 }  // namespace
 
@@ -149,6 +124,7 @@ void Particles::claim() {
   const double per_weight = static_cast<double>(n_init_) / static_cast<double>(found.total_weight);
   const double most = *std::max_element(found.claims.begin(), found.claims.end()) * per_weight;
   claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
+  // Even claims leave the lowest bit to kHasBirths.
   const double half_per_weight = std::ldexp(per_weight, claim_bits_ - 1);
   for (Part& part : parts_) {
     part.next.resize(found.voxels.size());
@@ -200,11 +176,11 @@ void Particles::resample_part(int number) {
   const auto spare =
       static_cast<std::uint32_t>(n_init_ + kSpare * (1 + static_cast<std::size_t>(number)));
   const int bits = claim_bits_;
-  Copies copies;
+  CopyPlaces copies;
   const auto [begin, end] = stretch(number);
-  for (std::size_t from = begin; from < end; from += kBlock) {
+  for (std::size_t from = begin; from < end; from += CopyPlaces::kBlock) {
     const Particle* const block = particles_.data() + from;
-    const std::size_t n = std::min(kBlock, end - from);
+    const std::size_t n = std::min(CopyPlaces::kBlock, end - from);
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint32_t place = place_of[block[i].slot];
       const std::uint32_t claim = claims[place];
@@ -215,6 +191,7 @@ void Particles::resample_part(int number) {
       __builtin_prefetch(&resampled[copies.first[i]], kToWrite);
       if ((claim & kHasBirths) != 0) before(place, part).add(block[i]);
     }
+    // Behind the last of all, the places are those of a block before: at worst a needless third.
     const bool third = copies.choose(static_cast<std::uint32_t>(n_init_), spare);
     for (std::size_t i = 0; i < n; ++i) {
       const ParticleCopy particle(block[i]);

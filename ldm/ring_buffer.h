@@ -89,6 +89,11 @@ class RingBuffer {
   std::vector<Cell> cells_;
 };
 
+/// The lowest slot of row (y, z), counted from the window's lowest voxel: its others follow.
+inline std::size_t row_slot(const RingIndex& index, int y, int z) {
+  return index.slot_of_local(0, y, z) - static_cast<std::size_t>(index.origin_slot().x());
+}
+
 /// A run of a window row along x and the slots it lives in: a row wraps at most once.
 struct RowPiece {
   int x;             ///< first voxel, counted from the window's lowest
@@ -101,8 +106,7 @@ inline std::array<RowPiece, 2> row_pieces(const RingIndex& index, int x_begin, i
                                           int z) {
   const int wrap = index.window().size.x() - index.origin_slot().x();  // first x in slot 0
   const int cut = std::clamp(wrap, x_begin, x_end);
-  const std::size_t row =
-      index.slot_of_local(0, y, z) - static_cast<std::size_t>(index.origin_slot().x());
+  const std::size_t row = row_slot(index, y, z);
   return {RowPiece{x_begin, cut - x_begin,
                    row + static_cast<std::size_t>(x_begin + index.origin_slot().x())},
           RowPiece{cut, x_end - cut, row + static_cast<std::size_t>(cut - wrap)}};

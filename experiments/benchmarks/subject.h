@@ -11,7 +11,7 @@ namespace benchmarks {
 class Subject {
  public:
   virtual ~Subject() = default;
-  /// What happens before the clock of step k starts.
+  /// What happens before the clock of step k starts; must be called before it.
   virtual void prepare(std::size_t) {}
   /// Step k of 0, 1, 2, ...: all subjects see the same frame k of the flight.
   virtual void step(std::size_t k, ldm::StageListener& listener) = 0;

@@ -12,7 +12,7 @@ Parameters pinned() {
   Parameters parameters;
   parameters.survival = {true, 0.9, 0.98, 0.3};
   parameters.prediction = {SubVoxelMotion::kResidual, 0};
-  parameters.particles = {29999,  // no part of it is even
+  parameters.particles = {29999,  // one more than pairs
                           0.8, 0.16, true, 20};
   parameters.clusters = {0.5, 0.2, true};
   return parameters;

@@ -71,7 +71,7 @@ TEST(ParticlePredictionTest, EachMovesByItsVelocityOrLeaves) {
   Random random(1);
   for (const Eigen::Vector3i& n : map_sizes()) {
     SCOPED_TRACE(testing::Message() << n.transpose());
-    ParticleFilter filter(map_of(n), particle_parameters(20000, 0.7), 5,
+    ParticleFilter filter(map_of(n), particle_parameters(20001, 0.7), 5,
                           random_vector(-60, 60, random));
     const VoxelBox& window = filter.log_odds.index().window();
     const Eigen::Array3d low = window.origin.cast<double>() * kResolution;

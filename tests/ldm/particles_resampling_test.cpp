@@ -129,8 +129,9 @@ std::vector<double> voxel_weights(const ParticleFilter& filter,
 
 /// The comb offset u at which systematic resampling gives these counts: tooth i stands at i + u, so
 /// of the claims up to S it fills the smallest whole number not below S - u. Claims are rounded up
-/// to 2^-31 of a particle, which moves a tooth by up to kRounding behind 40,000 claims.
-constexpr double kRounding = 2e-5;
+/// by up to 3 units of 2^-31 of a particle, which moves a tooth by up to kRounding behind 40,000
+/// claims.
+constexpr double kRounding = 6e-5;
 double comb_offset(const std::vector<double>& weights, const std::vector<std::size_t>& counts) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const double teeth = std::accumulate(counts.begin(), counts.end(), 0.0);

@@ -123,6 +123,28 @@ TEST(VoxelVelocityTest, MeanOfTheParticlesOfEachVoxel) {
   }
 }
 
+// Threads share out pairs: some have none, and the last pair may lack its second.
+TEST(ParticlesTest, FewOfThemAreTheSameForAnyNumberOfThreads) {
+  for (std::int64_t count = 1; count < 10; ++count) {
+    std::vector<Particle> alone;
+    for (const std::int64_t threads : {1, 2, 3, 8}) {
+      RingBuffer<float> log_odds({7, 7, 7});
+      for (std::size_t slot = 0; slot < 343; slot += 3) log_odds.cells()[slot] = 3.5F;
+      Particles particles(map_of({7, 7, 7}), particle_parameters(count, 0.8), {},
+                          {.threads = threads, .seed = 1}, log_odds.index());
+      for (int k = 0; k < 5; ++k) {
+        particles.predict(0.2, log_odds.index());
+        particles.weigh(log_odds);
+        particles.resample(log_odds.index());
+      }
+      if (threads == 1) alone.assign(particles.all().begin(), particles.all().end());
+      ASSERT_EQ(particles.all().size(), alone.size());
+      ASSERT_EQ(std::memcmp(particles.all().data(), alone.data(), alone.size() * sizeof(Particle)),
+                0);
+    }
+  }
+}
+
 TEST(ParticlesTest, StretchesOfSlotsHoldTheParticlesOfEach) {
   ParticleParameters parameters = particle_parameters(200, 1.5);
   parameters.birth = false;  // some slots are empty

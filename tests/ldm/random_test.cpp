@@ -35,7 +35,7 @@ TEST(RandomStreamTest, DrawsDifferBySeedPurposeFrameAndNumber) {
 TEST(RandomStreamTest, EachBitIsSetInHalfOfTheDrawsAndAloneOfTheOneBefore) {
   constexpr int kDraws = 1 << 16;
   const RandomStream stream(7, Purpose::kPrediction, 3);
-  for (const int apart : {0, 1, 11, 20, 40}) {  // where the parts of a draw of noise are
+  for (const int apart : {0, 1, 16, 32, 48}) {  // quarters make draws of noise
     std::array<int, 64> set{};
     std::uint64_t before = 0;
     for (std::uint64_t i = 0; i < kDraws; ++i) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/ldm/random_inputs.h"
 #include "tests/reference/ray_oracle.h"
+#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -12,15 +15,19 @@ namespace {
 const Eigen::Vector3f kSensor{2.5F, 2.5F, 2.5F};
 const Eigen::Vector3i kSize{5, 5, 5};
 
+VoxelIndex voxel_of(std::size_t index, const Eigen::Vector3i& size) {
+  return reference::voxel_of({VoxelIndex::Zero(), size}, index);
+}
+
 /// The end of one ray; its scale is one voxel a metre.
 struct End {
   std::uint8_t flag;
   VoxelIndex voxel;
 };
-End end_of(const Point& ray, bool for_ever) {
-  RayEnds ends(kSensor, Eigen::Matrix3f::Identity(), kSize);
+End end_of(const Point& ray, bool for_ever, const Eigen::Vector3f& sensor = kSensor) {
+  RayEnds ends(sensor, Eigen::Matrix3f::Identity(), kSize);
   ends.find({&ray, 1}, for_ever);
-  return {ends.flag(0), ends.voxel(0)};
+  return {ends.flag(0), voxel_of(ends.index(0), kSize)};
 }
 
 TEST(RayEndsTest, ByHand) {
@@ -38,6 +45,23 @@ TEST(RayEndsTest, ByHand) {
 TEST(RayEndsTest, ARayWithoutDirectionGoesNowhere) {
   EXPECT_EQ(end_of({0, 0, 0}, true).flag, flag::kNone);
   EXPECT_EQ(end_of({0, 0, 0}, false).flag, flag::kOccupied);  // a return at the sensor itself
+}
+
+// A wall is as near as numbers can be: 1/t is large, infinite or, along the wall, not a number.
+TEST(RayEndsTest, BesideAWall) {
+  const Eigen::Vector3f low = Eigen::Vector3f::Constant(std::nextafter(0.0F, 1.0F));
+  const Eigen::Vector3f high = Eigen::Vector3f::Constant(std::nextafter(5.0F, 0.0F));
+  for (const bool for_ever : {false, true}) {
+    EXPECT_EQ(end_of({9, 0, 0}, for_ever, low).flag, flag::kFree);
+    EXPECT_EQ(end_of({9, 0, 0}, for_ever, low).voxel, VoxelIndex(4, 0, 0));
+    EXPECT_EQ(end_of({-9, 0, 0}, for_ever, low).voxel, VoxelIndex(0, 0, 0));
+    EXPECT_EQ(end_of({0, 9, 0}, for_ever, high).flag, flag::kFree);
+    EXPECT_EQ(end_of({0, 9, 0}, for_ever, high).voxel, VoxelIndex(4, 4, 4));
+    EXPECT_EQ(end_of({0, 0, -9}, for_ever, high).voxel, VoxelIndex(4, 4, 0));
+  }
+  EXPECT_EQ(end_of({2.5, 0, 0}, false, low).flag, flag::kOccupied);
+  EXPECT_EQ(end_of({2.5, 0, 0}, false, low).voxel, VoxelIndex(2, 0, 0));
+  EXPECT_EQ(end_of({0, -2.5, 0}, false, high).voxel, VoxelIndex(4, 2, 4));
 }
 
 TEST(RayEndsTest, AsInDoublePrecisionForAnyNumberOfRays) {
@@ -62,7 +86,7 @@ TEST(RayEndsTest, AsInDoublePrecisionForAnyNumberOfRays) {
       ASSERT_EQ(ends.flag(i), hit ? flag::kOccupied : flag::kFree);
       const Eigen::Vector3d end = ray.origin + std::min(leave, hit ? 1.0 : leave) * ray.direction;
       // The voxel's nearest point lies at the end, but for rounding.
-      const Eigen::Array3d low = ends.voxel(i).cast<double>();
+      const Eigen::Array3d low = voxel_of(ends.index(i), size).cast<double>();
       ASSERT_TRUE((end.array() > low - 1e-3).all() && (end.array() < low + 1.001).all());
     }
   }

@@ -96,8 +96,9 @@ TEST(VelocityNoiseTest, EntriesAreTheQuantilesOfTheNormalDistributionOnEachAxis)
   }
 }
 
-// As of independent axes: 1 where all powers are even, 3 of a fourth power, 0 where one is odd.
-TEST(VelocityNoiseTest, AxesAreIndependent) {
+// 1 where all powers are even, 3 of a fourth power, 0 where one is odd. Entries may differ from
+// that by twice what their sums may.
+TEST(VelocityNoiseTest, MixedMomentsUpToTheFourthAreNearThoseOfIndependentAxes) {
   const Eigen::Array3d sigma(0.8, 0.8, 0.16);
   const std::vector<Eigen::Vector3i> twice =
       twice_the_entries(VelocityNoise(with_sigma(0.8, 0.16)));
@@ -106,7 +107,7 @@ TEST(VelocityNoiseTest, AxesAreIndependent) {
       for (int k = 0; i + j + k <= 4; ++k) {
         const bool odd = (i | j | k) % 2 == 1;
         const bool fourth = i == 4 || j == 4 || k == 4;
-        const double tolerance = i + j + k == 2 ? 1e-3 : 0.04;
+        const double tolerance = i + j + k == 2 ? 3e-4 : 0.04;
         EXPECT_NEAR(moment(twice, sigma, Eigen::Array3i(i, j, k).cast<double>()),
                     odd      ? 0
                     : fourth ? 3
