@@ -81,4 +81,12 @@ void for_each_stretch(const RingIndex& index, std::span<const Run> runs, Visit&&
   }
 }
 
+/// Calls visit(slot) for each of those slots.
+template <class Visit>
+void for_each_slot(const RingIndex& index, std::span<const Run> runs, Visit&& visit) {
+  for_each_stretch(index, runs, [&](std::size_t first, std::size_t n) {
+    for (std::size_t slot = first; slot < first + n; ++slot) visit(slot);
+  });
+}
+
 }  // namespace ldm

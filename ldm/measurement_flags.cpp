@@ -138,10 +138,8 @@ void MeasurementFlags::mark_end_from_outside(const Eigen::Vector3f& direction, b
 /// Flags the voxel and lists it.
 void MeasurementFlags::first_end_in(std::size_t index, std::uint8_t flag, Part& part) const {
   part.flags[index] = flag;
-  const auto i = static_cast<int>(index);
-  const Eigen::Vector3i& n = window_.size;
   (flag == flag::kOccupied ? part.hits : part.borders)
-      .emplace_back(i % n.x(), i / n.x() % n.y(), i / n.x() / n.y());
+      .push_back(window_.voxel(index) - window_.origin);
 }
 
 /// One ray through the centre of each voxel: free before it and, after a hit, shadow. Four rays are

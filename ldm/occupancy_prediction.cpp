@@ -157,27 +157,21 @@ void OccupancyPrediction::inherit(const RingIndex& index, const Clustering& clus
   old_rests_.swap(rests_);
   rests_.assign(clusters.clusters().size(), Eigen::Vector3f::Zero());
   shared_.assign(old_rests_.size(), 0);
-  const auto owners = [this](std::size_t first, std::size_t n) {
-    return std::span<const std::int32_t>(owner_).subspan(first, n);
-  };
   for (std::size_t c = 0; c < rests_.size(); ++c) {
     std::int32_t most = 0;
-    const auto count = [&](std::size_t first, std::size_t n) {
-      for (const std::int32_t owner : owners(first, n)) {
-        if (owner < 0) continue;
-        const auto o = static_cast<std::size_t>(owner);
-        if (++shared_[o] <= most) continue;
-        most = shared_[o];
-        rests_[c] = old_rests_[o];
-      }
+    const auto count = [&](std::size_t slot) {
+      const std::int32_t owner = owner_[slot];
+      if (owner < 0) return;
+      const auto o = static_cast<std::size_t>(owner);
+      if (++shared_[o] <= most) return;
+      most = shared_[o];
+      rests_[c] = old_rests_[o];
     };
-    const auto forget_count = [&](std::size_t first, std::size_t n) {
-      for (const std::int32_t owner : owners(first, n)) {
-        if (owner >= 0) shared_[static_cast<std::size_t>(owner)] = 0;
-      }
+    const auto forget_count = [&](std::size_t slot) {
+      if (owner_[slot] >= 0) shared_[static_cast<std::size_t>(owner_[slot])] = 0;
     };
-    for_each_stretch(index, clusters.runs_of(c), count);
-    for_each_stretch(index, clusters.runs_of(c), forget_count);
+    for_each_slot(index, clusters.runs_of(c), count);
+    for_each_slot(index, clusters.runs_of(c), forget_count);
   }
 }
 

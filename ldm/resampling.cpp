@@ -216,14 +216,11 @@ VelocitySum& Particles::before(std::uint32_t place, Part& part) const {
 /// The newborn of each voxel, behind the copies of those that were there.
 void Particles::bear(const RingIndex& index) {
   const RandomStream stream(seed_, Purpose::kBirth, frame_);
-  const Eigen::Vector3i& n = index.window().size;
+  const VoxelBox slots{Eigen::Vector3i::Zero(), index.window().size};
   for (std::size_t i = 0; i < found().births.size(); ++i) {
     const Births& births = found().births[i];
     const std::uint32_t slot = found().voxels[births.place].slot;
-    const auto cell = static_cast<int>(slot);
-    const Eigen::Vector3i corner =
-        Eigen::Vector3i(cell % n.x(), cell / n.x() % n.y(), cell / n.x() / n.y()) *
-        (1 << fraction_bits_);
+    const Eigen::Vector3i corner = slots.voxel(slot) * (1 << fraction_bits_);
     std::uint64_t next = parts_.back().next[births.place];
     VelocitySum before;
     for (const Part& part : parts_) before.add(part.before[i]);

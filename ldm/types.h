@@ -65,6 +65,11 @@ struct VoxelBox {
     const VoxelIndex d = v - origin;
     return static_cast<std::size_t>(d.x() + size.x() * (d.y() + size.y() * d.z()));
   }
+  /// The voxel at a row-major position: the inverse of `index`.
+  VoxelIndex voxel(std::size_t index) const {
+    const auto i = static_cast<int>(index);
+    return origin + VoxelIndex(i % size.x(), i / size.x() % size.y(), i / size.x() / size.y());
+  }
 };
 
 /// A group of connected occupied voxels (Sec. 3.5).
