@@ -131,8 +131,8 @@ void Clustering::measure(const VoxelBox& window) {
     if (r == i) {
       run.cluster = static_cast<std::int32_t>(clusters_.size());
       clusters_.emplace_back();
-      extents_.push_back({Eigen::Vector3i::Constant(512), Eigen::Vector3i::Zero(),
-                          Eigen::Matrix<std::int64_t, 3, 1>::Zero()});
+      extents_.push_back({Eigen::Vector3i::Constant(RingIndex::kMostVoxels),
+                          Eigen::Vector3i::Zero(), Eigen::Matrix<std::int64_t, 3, 1>::Zero()});
     } else {
       run.cluster = runs_[r].cluster;  // the root comes first: it is numbered
     }

@@ -19,6 +19,14 @@ using Int16x8 = std::int16_t __attribute__((vector_size(16)));
 using UInt16x8 = std::uint16_t __attribute__((vector_size(16)));  ///< sums wrap
 using Int32x4 = std::int32_t __attribute__((vector_size(16)));
 using Int64x2 = std::int64_t __attribute__((vector_size(16)));
+using UInt8x16 = std::uint8_t __attribute__((vector_size(16)));
+using Float32x4 = float __attribute__((vector_size(16)));
+
+/// True if all lanes are 0.
+inline bool is_zero(const UInt8x16& a) {
+  const auto words = reinterpret_cast<Int64x2>(a);
+  return (words[0] | words[1]) == 0;
+}
 
 /// The smaller in each lane.
 inline UInt16x8 lower(const UInt16x8& a, const UInt16x8& b) {

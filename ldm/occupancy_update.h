@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ldm/lanes.h"
 #include "ldm/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/ring_buffer.h"
@@ -34,28 +35,38 @@ class OccupancyUpdate {
              RingBuffer<float>& log_odds) const;
 
   /// l_k = l_{k-1} + l(z), within the clamps.  Eq. (8)
-  float measured(float l, float l_z) const { return std::clamp(l + l_z, min_, max_); }
+  float measured(float l, float l_z) const { return clamps_.sum(l, l_z); }
   /// l_k = l_{k-1} P_s; 0 once nothing is left, as denormal numbers slow every frame.  Eq. (10)
   static float survived(float l, float p_s) {
     const float rest = l * p_s;
     return rest * rest < 1e-12F ? 0 : rest;
   }
   /// P_s of a voxel that held no static object, by its flag: out of view, or in a shadow.
-  float survival(std::uint8_t flag) const { return factor_[flag]; }
+  float survival(std::uint8_t flag) const { return change_[flag].survival; }
 
  private:
-  /// True for a flag that leaves log-odds as they are.
-  bool keeps(std::uint8_t flag) const { return factor_[flag] == 1 && gain_[flag] == 0; }
+  /// What a flag does to log-odds.
+  struct Change {
+    float survival;  // P_s; 1 for a measured voxel
+    float gain;      // l(z); 0 for an unmeasured voxel
+    bool is_none() const { return survival == 1 && gain == 0; }
+  };
+  struct Clamps {
+    float min;
+    float max;
+    float sum(float l, float l_z) const { return std::clamp(l + l_z, min, max); }
+  };
   void apply_to_layers(int begin, int end, std::span<const std::uint8_t> flags,
                        std::span<const std::uint8_t> kept, RingBuffer<float>& log_odds) const;
   void apply_to_row(int n, const std::uint8_t* flags, const std::uint8_t* kept, float* l) const;
   void apply_to_each(int begin, int end, const std::uint8_t* flags, const std::uint8_t* kept,
                      float* l) const;
+  void change_stretch(Change change, float* l) const;
+  void change_stretch(UInt8x16 flags, float* l) const;
+  std::int64_t bytes_of(std::uint8_t flag) const;
 
-  float min_;
-  float max_;
-  std::array<float, 256> factor_;  // by flag: P_s; 1 for a measured voxel
-  std::array<float, 256> gain_;    // by flag: l(z); 0 for an unmeasured voxel
+  Clamps clamps_;
+  std::array<Change, 256> change_;  // by flag
   Parallel parallel_;
 };
 

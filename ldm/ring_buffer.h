@@ -14,8 +14,10 @@ namespace ldm {
 /// A voxel that stays in the window keeps its slot, so moving the window copies nothing.
 class RingIndex {
  public:
+  static constexpr int kMostVoxels = 512;  ///< along an axis
+
   /// n voxels per axis; the window starts centred on voxel 0. @throws InvalidInput unless each is
-  /// in 5..512.
+  /// in 5..kMostVoxels.
   explicit RingIndex(const Eigen::Vector3i& n);
 
   const VoxelBox& window() const { return window_; }
@@ -116,9 +118,9 @@ inline std::array<RowPiece, 2> row_pieces(const RingIndex& index, int x_begin, i
 
 inline RingIndex::RingIndex(const Eigen::Vector3i& n) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (n[axis] < 5 || n[axis] > 512) {
+    if (n[axis] < 5 || n[axis] > kMostVoxels) {
       throw InvalidInput("map.voxels[" + std::to_string(axis) + "] = " + std::to_string(n[axis]) +
-                         ": allowed: 5 to 512");
+                         ": allowed: 5 to " + std::to_string(kMostVoxels));
     }
   }
   window_.size = n;

@@ -74,5 +74,16 @@ TEST_F(LanesTest, LowerIsWithoutASign) {
   }
 }
 
+TEST(LanesZeroTest, OneBitAnywhereIsNotZero) {
+  EXPECT_TRUE(is_zero(UInt8x16{}));
+  for (int lane = 0; lane < 16; ++lane) {
+    for (int bit = 0; bit < 8; ++bit) {
+      UInt8x16 one{};
+      one[lane] = static_cast<std::uint8_t>(1 << bit);
+      EXPECT_FALSE(is_zero(one)) << lane << " " << bit;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ldm

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ldm/measurement_flags.h"
@@ -124,32 +125,45 @@ TEST_F(OccupancyUpdateTest, WithoutStaticObjectsKeptMayBeEmpty) {
   for (const float l : log_odds_.cells()) EXPECT_FLOAT_EQ(l, 1.8F);
 }
 
-/// Flags come in window order, `kept` and log-odds in slots: here they are told apart.
+/// Flags come in window order, `kept` and log-odds in slots: here they are told apart. Stretches of
+/// one flag, of several and with static objects take ways of their own: all to the same bits.
 TEST(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
   Random random(1);
-  for (const Eigen::Vector3i& n : map_sizes()) {
-    RingBuffer<float> log_odds(n);
-    log_odds.recenter(random_vector(-40, 40, random));
-    std::vector<std::uint8_t> flags(log_odds.cells().size());
-    std::vector<std::uint8_t> kept(log_odds.cells().size());
-    for (auto& f : flags) f = static_cast<std::uint8_t>(uniform_int(0, 255, random));
-    for (auto& k : kept) k = static_cast<std::uint8_t>(uniform_int(0, 1, random));
-    for (auto& l : log_odds.cells()) l = static_cast<float>(uniform(-2, 3.5, random));
-    const RingBuffer<float> before = log_odds;
-    const OccupancyUpdate update(map_of(n), {}, {}, uniform_int(1, 4, random));
-    update.apply(flags, kept, log_odds);
+  const MeasurementLogOdds z{SensorModelParameters{}};
+  std::vector<Eigen::Vector3i> sizes = map_sizes();
+  sizes.push_back({RingIndex::kMostVoxels, 5, 5});
+  for (const Eigen::Vector3i& n : sizes) {
+    for (const int most_alike : {1, 60}) {        // flags
+      for (const int one_kept_in : {0, 2, 60}) {  // voxels
+        RingBuffer<float> log_odds(n);
+        log_odds.recenter(random_vector(-600, 600, random));
+        std::vector<std::uint8_t> flags(log_odds.cells().size());
+        for (std::size_t i = 0; i < flags.size();) {
+          const auto flag = static_cast<std::uint8_t>(uniform_int(0, 255, random));
+          const std::size_t end = i + static_cast<std::size_t>(uniform_int(1, most_alike, random));
+          while (i < std::min(end, flags.size())) flags[i++] = flag;
+        }
+        std::vector<std::uint8_t> kept;
+        if (one_kept_in > 0) kept.resize(flags.size());
+        for (auto& k : kept) k = uniform_int(1, one_kept_in, random) == 1 ? 1 : 0;
+        for (auto& l : log_odds.cells()) l = static_cast<float>(uniform(-2, 3.5, random));
+        const RingBuffer<float> before = log_odds;
+        const OccupancyUpdate update(map_of(n), {}, {}, uniform_int(1, 4, random));
+        update.apply(flags, kept, log_odds);
 
-    const VoxelBox& window = log_odds.index().window();
-    reference::for_each_voxel(window, [&](const VoxelIndex& v) {
-      const std::uint8_t f = flags[window.index(v)];
-      float expected = before.at(v);
-      if (f >= flag::kFree) {
-        expected = update.measured(expected, f == flag::kFree ? kCross : kHit);
-      } else if (kept[log_odds.index().slot(v)] == 0) {
-        expected = OccupancyUpdate::survived(expected, update.survival(f));
+        const VoxelBox& window = log_odds.index().window();
+        reference::for_each_voxel(window, [&](const VoxelIndex& v) {
+          const std::uint8_t f = flags[window.index(v)];
+          float expected = before.at(v);
+          if (f >= flag::kFree) {
+            expected = update.measured(expected, f == flag::kFree ? z.free : z.occupied);
+          } else if (kept.empty() || kept[log_odds.index().slot(v)] == 0) {
+            expected = OccupancyUpdate::survived(expected, update.survival(f));
+          }
+          ASSERT_EQ(log_odds.at(v), expected) << v.transpose() << " of " << n.transpose();
+        });
       }
-      ASSERT_NEAR(log_odds.at(v), expected, 1e-5) << v.transpose();
-    });
+    }
   }
 }
 
