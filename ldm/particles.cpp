@@ -16,8 +16,8 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
                      const RingIndex& index)
     : resolution_(map.resolution),
       n_init_(static_cast<std::size_t>(particles.count)),
-      min_per_voxel_(static_cast<std::uint32_t>(particles.min_per_voxel)),
-      birth_(particles.birth),
+      prior_weight_(1 / static_cast<double>(n_init_)),
+      min_per_voxel_(particles.birth ? static_cast<std::uint32_t>(particles.min_per_voxel) : 0),
       occupied_above_(static_cast<float>(log_odds(clusters.occupied_above))),
       fraction_bits_(ParticleMotion::fraction_bits(map.voxels)),
       noise_(particles),

@@ -108,8 +108,9 @@ class Particles {
   void predict_part(int part, ParticleMotion motion);
   void weigh_part(int part, std::span<const float> log_odds);
   bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
-  void weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
-                   Claimants& found) const;
+  std::size_t list_claimants(std::span<const float> log_odds, std::size_t first, std::size_t last,
+                             std::span<std::uint32_t> slots) const;
+  void weigh_slot(std::uint32_t slot, float l, std::uint32_t weight, Claimants& found) const;
   void claim();
   void resample_part(int part);
   void bear(const RingIndex& index);
@@ -128,9 +129,9 @@ class Particles {
 
   double resolution_;
   std::size_t n_init_;
-  std::uint32_t min_per_voxel_;
-  bool birth_;
-  float occupied_above_;  // log-odds
+  double prior_weight_;          // 1 / N_init
+  std::uint32_t min_per_voxel_;  // births up to so many; 0 for none
+  float occupied_above_;         // log-odds
   int fraction_bits_;
   VelocityNoise noise_;
   std::uint64_t seed_;

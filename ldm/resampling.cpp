@@ -1,5 +1,6 @@
 /// Class Particles from its weights to its next generation: paper Eq. (11), (13)-(15).
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -25,8 +26,7 @@ std::uint32_t Particles::count(std::size_t slot) const {
 }
 
 std::uint32_t Particles::updated_weight(float l) const {
-  return static_cast<std::uint32_t>(
-      std::llround(kOneWeight * (1 / static_cast<double>(n_init_) + probability(l))));
+  return static_cast<std::uint32_t>(std::llround(kOneWeight * (prior_weight_ + probability(l))));
 }
 
 std::uint32_t Particles::normalised(std::uint32_t weight, double claim_per_weight) {
@@ -78,10 +78,19 @@ void Particles::weigh_part(int part, std::span<const float> log_odds) {
     found.voxels.emplace_back();
     found.claims.push_back(0);
   }
+  float l = 0;
+  std::uint32_t weight = updated_weight(l);
+  std::array<std::uint32_t, kStretch> slots;
   const auto [begin, end] = parallel_.share(part, log_odds.size());
   for (std::size_t first = begin; first < end; first += kStretch) {
     const std::size_t last = std::min(first + kStretch, end);
-    if (!is_empty(log_odds, first, last)) weigh_slots(log_odds, first, last, found);
+    if (is_empty(log_odds, first, last)) continue;
+    const std::size_t listed = list_claimants(log_odds, first, last, slots);
+    for (std::size_t i = 0; i < listed; ++i) {
+      // Nine of ten have the log-odds of the one before: unknown, or at a clamp.
+      if (log_odds[slots[i]] != l) weight = updated_weight(l = log_odds[slots[i]]);
+      weigh_slot(slots[i], l, weight, found);
+    }
   }
 }
 
@@ -99,23 +108,31 @@ bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
   return any == 0;
 }
 
-void Particles::weigh_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
-                            Claimants& found) const {
-  const auto prior = static_cast<std::uint32_t>(kOneWeight / static_cast<double>(n_init_));
+/// Those of slots [first, last) that hold particles, or in which some are to be born. Without a
+/// branch, as which of them do looks like chance.
+std::size_t Particles::list_claimants(std::span<const float> log_odds, std::size_t first,
+                                      std::size_t last, std::span<std::uint32_t> slots) const {
+  std::size_t n = 0;
   for (std::size_t slot = first; slot < last; ++slot) {
-    const std::uint32_t count = this->count(slot);
-    const bool needs_births = birth_ && count < min_per_voxel_ && log_odds[slot] > occupied_above_;
-    if (count == 0 && !needs_births) continue;
-    const std::uint32_t weight = updated_weight(log_odds[slot]);
-    found.total_weight += std::uint64_t{count} * weight;
-    if (needs_births) {
-      const auto place = static_cast<std::uint32_t>(found.voxels.size());
-      found.births.push_back({place, min_per_voxel_ - count, weight - prior});
-      found.total_weight += std::uint64_t{found.births.back().count} * found.births.back().claim;
-    }
-    found.voxels.push_back({static_cast<std::uint32_t>(slot), 0});
-    found.claims.push_back(weight);
+    slots[n] = static_cast<std::uint32_t>(slot);
+    n += static_cast<std::size_t>((count(slot) != 0) |
+                                  ((log_odds[slot] > occupied_above_) & (min_per_voxel_ != 0)));
   }
+  return n;
+}
+
+void Particles::weigh_slot(std::uint32_t slot, float l, std::uint32_t weight,
+                           Claimants& found) const {
+  const std::uint32_t count = this->count(slot);
+  found.total_weight += std::uint64_t{count} * weight;
+  if (count < min_per_voxel_ && l > occupied_above_) {
+    const auto place = static_cast<std::uint32_t>(found.voxels.size());
+    const auto prior = static_cast<std::uint32_t>(kOneWeight * prior_weight_);
+    found.births.push_back({place, min_per_voxel_ - count, weight - prior});
+    found.total_weight += std::uint64_t{found.births.back().count} * found.births.back().claim;
+  }
+  found.voxels.push_back({slot, 0});
+  found.claims.push_back(weight);
 }
 
 /// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
