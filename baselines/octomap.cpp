@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 #include "baselines/no_clusters.h"
 #include "baselines/octomap_keys.h"
-#include "baselines/octomap_ray.h"
 #include "baselines/octree_cursor.h"
 #include "baselines/scan_cells.h"
 #include "ldm/log_odds.h"
@@ -36,29 +36,35 @@ struct Octomap::Tree {
     octree.setClampingThresMax(ldm::probability(sensor.log_odds_max));
   }
 
+  void start(const octomap::point3d& sensor) {
+    cells.start(octree.coordToKey(sensor));
+    hits.clear();
+  }
+
   /// A ray that ends beyond the range limit clears the way up to it, and marks nothing occupied.
   void cast(const octomap::point3d& sensor, const octomap::point3d& end) {
     const octomap::point3d way = end - sensor;
     const bool within = way.norm() <= max_range;
     const octomap::point3d last =
         within ? end : sensor + way.normalized() * static_cast<float>(max_range);
-    for_each_crossed(octree, sensor, last,
-                     [&](const octomap::OcTreeKey& key) { cells.cross(key); });
-    if (within) cells.hit(octree.coordToKey(end));
+    cells.cross(octree, sensor, last);
+    if (within) hits.push_back(octree.coordToKey(end));
   }
 
   /// Inner nodes get no occupancy of their own: nothing here reads it.
   void update() {
-    for (const octomap::OcTreeKey& key : cells.keys()) {
-      octree.updateNodeLogOdds(
-          &cursor.leaf(key), cells.is_hit(key) ? octree.getProbHitLog() : octree.getProbMissLog());
-    }
+    for (const octomap::OcTreeKey& key : hits) cells.hit(key);
+    cells.for_each([this](const octomap::OcTreeKey& key, bool is_hit) {
+      octree.updateNodeLogOdds(&cursor.leaf(key),
+                               is_hit ? octree.getProbHitLog() : octree.getProbMissLog());
+    });
   }
 
   double max_range;  // [m]
   octomap::OcTree octree;
   OctreeCursor cursor{octree};
   ScanCells cells;
+  std::vector<octomap::OcTreeKey> hits;  // where rays of the last scan end
 };
 
 Octomap::Octomap(const ldm::Parameters& parameters)
@@ -88,7 +94,7 @@ void Octomap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
   if (listener != nullptr) listener->begin("occupancy_update");
   window_.origin = ldm::voxel_at(scan.T_world_uav.translation, resolution_) - window_.size / 2;
   const octomap::point3d sensor = to_octomap(scan.T_world_sensor.translation);
-  tree_->cells.start(tree_->octree.coordToKey(sensor));
+  tree_->start(sensor);
   for (const ldm::Point& p : scan.points) {
     tree_->cast(sensor, to_octomap(scan.T_world_sensor * p.cast<double>()));
   }

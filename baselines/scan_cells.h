@@ -18,20 +18,31 @@ class ScanCells {
 
   /// Forgets the cells of the scan before.
   void start(const octomap::OcTreeKey& sensor);
-  void cross(const octomap::OcTreeKey& key) {
-    std::uint8_t& cell = grid_[index(key)];
-    if (cell != kUnmet) return;
-    cell = kCrossed;
-    keys_.push_back(key);
-  }
-  void hit(const octomap::OcTreeKey& key) {
-    cross(key);
-    grid_[index(key)] = kHit;
-  }
+  /// The cells from that of `sensor` on, without that of `end`: those that
+  /// octomap::OcTree::computeRayKeys lists, by the same arithmetic (Amanatides and Woo, 1987).
+  /// Requires both in the tree, and within reach.
+  void cross(const octomap::OcTree& tree, const octomap::point3d& sensor,
+             const octomap::point3d& end);
+  /// Requires that no ray of the scan crosses cells any more.
+  void hit(const octomap::OcTreeKey& key) { grid_[index(key)] = kHit; }
 
-  /// In the order in which the rays met them first.
-  const std::vector<octomap::OcTreeKey>& keys() const { return keys_; }
-  bool is_hit(const octomap::OcTreeKey& key) const { return grid_[index(key)] == kHit; }
+  /// Calls visit(key, is_hit) for each cell met, x fastest.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    std::size_t i = 0;
+    octomap::OcTreeKey end;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      end[axis] = static_cast<octomap::key_type>(lowest_[axis] + edge_);
+    }
+    octomap::OcTreeKey key = lowest_;
+    for (key[2] = lowest_[2]; key[2] != end[2]; ++key[2]) {
+      for (key[1] = lowest_[1]; key[1] != end[1]; ++key[1]) {
+        for (key[0] = lowest_[0]; key[0] != end[0]; ++key[0], ++i) {
+          if (grid_[i] != kUnmet) visit(key, grid_[i] == kHit);
+        }
+      }
+    }
+  }
 
  private:
   static constexpr std::uint8_t kUnmet = 0, kCrossed = 1, kHit = 2;
@@ -45,7 +56,6 @@ class ScanCells {
   std::size_t edge_;
   octomap::OcTreeKey lowest_;  // of the grid
   std::vector<std::uint8_t> grid_;
-  std::vector<octomap::OcTreeKey> keys_;
 };
 
 }  // namespace baselines
