@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <sstream>
-#include <vector>
 
 #include "baselines/no_clusters.h"
 #include "baselines/octomap_keys.h"
@@ -23,38 +22,33 @@ octomap::point3d to_octomap(const Eigen::Vector3d& p) {
 
 }  // namespace
 
-/// The octree, and its cells that the last scan met.
+/// The octree, and its cells that a scan meets.
 struct Octomap::Tree {
   Tree(double resolution, double range_limit, const ldm::SensorModelParameters& sensor)
       : max_range(range_limit),
         octree(resolution),
         // Rounding may carry the end of a ray into the next cell.
-        cells(static_cast<int>(std::ceil(range_limit / resolution)) + 2) {
+        cells(octree, static_cast<int>(std::ceil(range_limit / resolution)) + 2) {
     octree.setProbHit(sensor.p_occ);
     octree.setProbMiss(sensor.p_free);
     octree.setClampingThresMin(ldm::probability(sensor.log_odds_min));
     octree.setClampingThresMax(ldm::probability(sensor.log_odds_max));
   }
 
-  void start(const octomap::point3d& sensor) {
-    cells.start(octree.coordToKey(sensor));
-    hits.clear();
-  }
-
   /// A ray that ends beyond the range limit clears the way up to it, and marks nothing occupied.
   void cast(const octomap::point3d& sensor, const octomap::point3d& end) {
     const octomap::point3d way = end - sensor;
-    const bool within = way.norm() <= max_range;
-    const octomap::point3d last =
-        within ? end : sensor + way.normalized() * static_cast<float>(max_range);
-    cells.cross(octree, sensor, last);
-    if (within) hits.push_back(octree.coordToKey(end));
+    if (way.norm() <= max_range) {
+      cells.cross(end);
+      cells.hit(end);
+    } else {
+      cells.cross(sensor + way.normalized() * static_cast<float>(max_range));
+    }
   }
 
   /// Inner nodes get no occupancy of their own: nothing here reads it.
   void update() {
-    for (const octomap::OcTreeKey& key : hits) cells.hit(key);
-    cells.for_each([this](const octomap::OcTreeKey& key, bool is_hit) {
+    cells.take([this](const octomap::OcTreeKey& key, bool is_hit) {
       octree.updateNodeLogOdds(&cursor.leaf(key),
                                is_hit ? octree.getProbHitLog() : octree.getProbMissLog());
     });
@@ -64,7 +58,6 @@ struct Octomap::Tree {
   octomap::OcTree octree;
   OctreeCursor cursor{octree};
   ScanCells cells;
-  std::vector<octomap::OcTreeKey> hits;  // where rays of the last scan end
 };
 
 Octomap::Octomap(const ldm::Parameters& parameters)
@@ -94,7 +87,7 @@ void Octomap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
   if (listener != nullptr) listener->begin("occupancy_update");
   window_.origin = ldm::voxel_at(scan.T_world_uav.translation, resolution_) - window_.size / 2;
   const octomap::point3d sensor = to_octomap(scan.T_world_sensor.translation);
-  tree_->start(sensor);
+  tree_->cells.start(sensor);
   for (const ldm::Point& p : scan.points) {
     tree_->cast(sensor, to_octomap(scan.T_world_sensor * p.cast<double>()));
   }

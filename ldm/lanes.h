@@ -1,5 +1,5 @@
 #pragma once
-/// Several integers side by side in one register of the processor (no paper section).
+/// Several numbers side by side in one register of the processor (no paper section).
 ///
 /// The compiler's vector extension (g++ and clang): the same source becomes SSE on x86 and NEON on
 /// ARM, with the same bits. Where the extension has no word for one instruction that both

@@ -35,7 +35,7 @@ class OccupancyUpdate {
              RingBuffer<float>& log_odds) const;
 
   /// l_k = l_{k-1} + l(z), within the clamps.  Eq. (8)
-  float measured(float l, float l_z) const { return clamps_.sum(l, l_z); }
+  float measured(float l, float l_z) const { return clamps_.clamped(l + l_z); }
   /// l_k = l_{k-1} P_s; 0 once nothing is left, as denormal numbers slow every frame.  Eq. (10)
   static float survived(float l, float p_s) {
     const float rest = l * p_s;
@@ -54,7 +54,8 @@ class OccupancyUpdate {
   struct Clamps {
     float min;
     float max;
-    float sum(float l, float l_z) const { return std::clamp(l + l_z, min, max); }
+    float clamped(float l) const { return std::clamp(l, min, max); }
+    float changed(float l, Change by) const { return clamped(survived(l, by.survival) + by.gain); }
   };
   void apply_to_layers(int begin, int end, std::span<const std::uint8_t> flags,
                        std::span<const std::uint8_t> kept, RingBuffer<float>& log_odds) const;

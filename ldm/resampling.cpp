@@ -88,7 +88,10 @@ void Particles::weigh_part(int part, std::span<const float> log_odds) {
     const std::size_t listed = list_claimants(log_odds, first, last, slots);
     for (std::size_t i = 0; i < listed; ++i) {
       // Nine of ten have the log-odds of the one before: unknown, or at a clamp.
-      if (log_odds[slots[i]] != l) weight = updated_weight(l = log_odds[slots[i]]);
+      if (log_odds[slots[i]] != l) {
+        l = log_odds[slots[i]];
+        weight = updated_weight(l);
+      }
       weigh_slot(slots[i], l, weight, found);
     }
   }
@@ -108,8 +111,8 @@ bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
   return any == 0;
 }
 
-/// Those of slots [first, last) that hold particles, or in which some are to be born. Without a
-/// branch, as which of them do looks like chance.
+/// Into `slots`, those of [first, last) that hold particles, or in which some are to be born; how
+/// many. Requires room for all. Without a branch, as which of them do looks like chance.
 std::size_t Particles::list_claimants(std::span<const float> log_odds, std::size_t first,
                                       std::size_t last, std::span<std::uint32_t> slots) const {
   std::size_t n = 0;

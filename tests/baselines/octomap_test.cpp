@@ -89,6 +89,16 @@ TEST_F(OctomapTest, IsWhatInsertPointCloudMakesOfTheSameScans) {
   EXPECT_GT(*highest, 0.6F);
 }
 
+/// Its square is less than any number of 32 bits, so the ray has no direction.
+TEST_F(OctomapTest, TheShortestRayAcrossAWallArrives) {
+  ldm::Scan scan = reference::scan_at(time_++, {0, 0, 0});
+  scan.points = {{-1e-30F, -1e-30F, 0}};
+  octomap_.update(scan);
+  EXPECT_NEAR(log_odds(0), kMiss, 1e-5);
+  const double p = map_.occupancy[map_.window.index({-1, -1, 0})];
+  EXPECT_NEAR(std::log(p / (1 - p)), kHit, 1e-5);
+}
+
 TEST_F(OctomapTest, RefusesAUavOutOfTheTree) {
   see(0.6F);
   EXPECT_NO_THROW(octomap_.update(reference::scan_at(time_, {4900, 0, 0})));

@@ -81,6 +81,8 @@ TEST(LanesZeroTest, OneBitAnywhereIsNotZero) {
       UInt8x16 one{};
       one[lane] = static_cast<std::uint8_t>(1 << bit);
       EXPECT_FALSE(is_zero(one)) << lane << " " << bit;
+      one[(lane + 8) % 16] = one[lane];
+      EXPECT_FALSE(is_zero(one)) << lane << " " << bit << " in both halves";
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "ldm/measurement_flags.h"
 #include "tests/ldm/random_inputs.h"
@@ -125,47 +127,61 @@ TEST_F(OccupancyUpdateTest, WithoutStaticObjectsKeptMayBeEmpty) {
   for (const float l : log_odds_.cells()) EXPECT_FLOAT_EQ(l, 1.8F);
 }
 
+/// Flags in runs of up to `most` alike.
+std::vector<std::uint8_t> runs_of_flags(std::size_t n, int most, Random& random) {
+  std::vector<std::uint8_t> flags;
+  while (flags.size() < n) {
+    const auto some = static_cast<std::size_t>(uniform_int(1, most, random));
+    flags.insert(flags.end(), std::min(some, n - flags.size()),
+                 static_cast<std::uint8_t>(uniform_int(0, 255, random)));
+  }
+  return flags;
+}
+
 /// Flags come in window order, `kept` and log-odds in slots: here they are told apart. Stretches of
-/// one flag, of several and with static objects take ways of their own: all to the same bits.
-TEST(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
+/// one flag, of several, and with static objects go ways of their own, all to the same bits.
+class OccupancyUpdateOrderTest : public testing::TestWithParam<std::tuple<bool, int, int>> {};
+
+TEST_P(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
+  const auto [survives, most_alike, one_kept_in] = GetParam();
   Random random(1);
   const MeasurementLogOdds z{SensorModelParameters{}};
   std::vector<Eigen::Vector3i> sizes = map_sizes();
   sizes.push_back({RingIndex::kMostVoxels, 5, 5});
   for (const Eigen::Vector3i& n : sizes) {
-    for (const int most_alike : {1, 60}) {        // flags
-      for (const int one_kept_in : {0, 2, 60}) {  // voxels
-        RingBuffer<float> log_odds(n);
-        log_odds.recenter(random_vector(-600, 600, random));
-        std::vector<std::uint8_t> flags(log_odds.cells().size());
-        for (std::size_t i = 0; i < flags.size();) {
-          const auto flag = static_cast<std::uint8_t>(uniform_int(0, 255, random));
-          const std::size_t end = i + static_cast<std::size_t>(uniform_int(1, most_alike, random));
-          while (i < std::min(end, flags.size())) flags[i++] = flag;
-        }
-        std::vector<std::uint8_t> kept;
-        if (one_kept_in > 0) kept.resize(flags.size());
-        for (auto& k : kept) k = uniform_int(1, one_kept_in, random) == 1 ? 1 : 0;
-        for (auto& l : log_odds.cells()) l = static_cast<float>(uniform(-2, 3.5, random));
-        const RingBuffer<float> before = log_odds;
-        const OccupancyUpdate update(map_of(n), {}, {}, uniform_int(1, 4, random));
-        update.apply(flags, kept, log_odds);
-
-        const VoxelBox& window = log_odds.index().window();
-        reference::for_each_voxel(window, [&](const VoxelIndex& v) {
-          const std::uint8_t f = flags[window.index(v)];
-          float expected = before.at(v);
-          if (f >= flag::kFree) {
-            expected = update.measured(expected, f == flag::kFree ? z.free : z.occupied);
-          } else if (kept.empty() || kept[log_odds.index().slot(v)] == 0) {
-            expected = OccupancyUpdate::survived(expected, update.survival(f));
-          }
-          ASSERT_EQ(log_odds.at(v), expected) << v.transpose() << " of " << n.transpose();
-        });
-      }
+    RingBuffer<float> log_odds(n);
+    log_odds.recenter(random_vector(-600, 600, random));
+    const auto flags = runs_of_flags(log_odds.cells().size(), most_alike, random);
+    std::vector<std::uint8_t> kept(one_kept_in > 0 ? flags.size() : 0);
+    for (auto& k : kept) k = uniform_int(1, one_kept_in, random) == 1 ? 1 : 0;
+    for (auto& l : log_odds.cells()) {
+      l = static_cast<float>(uniform(-2, 3.5, random));
+      if (uniform_int(1, 8, random) == 1) l *= 1e-7F;  // survival leaves nothing of it
     }
+    const RingBuffer<float> before = log_odds;
+    SurvivalParameters survival;
+    survival.enabled = survives;
+    const OccupancyUpdate update(map_of(n), {}, survival, uniform_int(1, 4, random));
+    update.apply(flags, kept, log_odds);
+
+    const VoxelBox& window = log_odds.index().window();
+    reference::for_each_voxel(window, [&](const VoxelIndex& v) {
+      const std::uint8_t f = flags[window.index(v)];
+      const float l_z = f == flag::kOccupied ? z.occupied : f == flag::kFree ? z.free : 0;
+      const bool stays = !kept.empty() && kept[log_odds.index().slot(v)] == 1;
+      const bool untouched = l_z == 0 && update.survival(f) == 1;
+      const float p_s = stays ? 1 : update.survival(f);
+      const float expected =
+          untouched ? before.at(v)
+                    : update.measured(OccupancyUpdate::survived(before.at(v), p_s), l_z);
+      ASSERT_EQ(log_odds.at(v), expected) << v.transpose() << " of " << n.transpose();
+    });
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Stretches, OccupancyUpdateOrderTest,
+                         testing::Combine(testing::Bool(), testing::Values(1, 60),
+                                          testing::Values(0, 2, 60)));
 
 }  // namespace
 }  // namespace ldm
