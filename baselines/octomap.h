@@ -10,10 +10,10 @@ namespace baselines {
 
 /// Inserts each scan as OctoMap does by default, and reads the window around the UAV.
 ///
-/// The leaves are those that octomap::OcTree::insertPointCloud leaves behind (a test), in less than
-/// half of its time: OctoMap's own steps, with the cells of a scan in a grid instead of two hash
-/// sets (ScanCells), and from leaf to leaf instead of from the root (OctreeCursor). Inner nodes get
-/// no occupancy, which nothing here reads.
+/// The leaves are those that octomap::OcTree::insertPointCloud leaves behind (a test), in a fifth
+/// of its time: OctoMap's own steps, with the cells of a scan in a grid instead of two hash sets
+/// (ScanCells), and from leaf to leaf instead of from the root (OctreeCursor). Inner nodes get no
+/// occupancy, which nothing here reads.
 ///
 /// Rays end at half the diagonal of that window, as OctoMap's own range limit: longer ones, and
 /// those without a return (if they count as free), clear the way up to there. The tree covers

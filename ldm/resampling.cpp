@@ -115,11 +115,13 @@ bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
 /// many. Requires room for all. Without a branch, as which of them do looks like chance.
 std::size_t Particles::list_claimants(std::span<const float> log_odds, std::size_t first,
                                       std::size_t last, std::span<std::uint32_t> slots) const {
+  const auto may_bear = static_cast<std::size_t>(min_per_voxel_ != 0);
   std::size_t n = 0;
   for (std::size_t slot = first; slot < last; ++slot) {
     slots[n] = static_cast<std::uint32_t>(slot);
-    n += static_cast<std::size_t>((count(slot) != 0) |
-                                  ((log_odds[slot] > occupied_above_) & (min_per_voxel_ != 0)));
+    const auto holds = static_cast<std::size_t>(count(slot) != 0);
+    const auto bears = static_cast<std::size_t>(log_odds[slot] > occupied_above_) & may_bear;
+    n += holds | bears;
   }
   return n;
 }
