@@ -1,4 +1,4 @@
-"""What every script's command line shares: --results, --study, and exit codes 0, 1, 2."""
+"""What every script's command line shares: --results, --study, and exit codes 0, 1, 2, 130."""
 
 from __future__ import annotations
 
@@ -42,13 +42,16 @@ def report_notes(study: Study) -> None:
 
 
 def run(main: Callable[[Sequence[str] | None], None], argv: Sequence[str] | None = None) -> int:
-    """Exit code of `main`: 0, or 2 with one line on stderr if the input is bad."""
+    """Exit code of `main`: 0, or with one line on stderr 2 if the input is bad, 130 at Ctrl-C."""
     try:
         main(argv)
         sys.stdout.flush()
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print("interrupted: the same command makes all of it anew", file=sys.stderr)
+        return 130
     except BrokenPipeError:  # whoever reads the printed table has seen enough; files are written
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0

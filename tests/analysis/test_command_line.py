@@ -37,3 +37,11 @@ def test_as_a_program(tmp_path):
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert done.stderr.startswith("error: ") and "Traceback" not in done.stderr
+
+
+def test_an_interruption_is_one_line(capsys):
+    def interrupted(_argv):
+        raise KeyboardInterrupt
+
+    assert run(interrupted, []) == 130
+    assert capsys.readouterr().err == "interrupted: the same command makes all of it anew\n"
