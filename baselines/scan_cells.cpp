@@ -21,10 +21,9 @@ void ScanCells::start(const octomap::point3d& sensor) {
 }
 
 void ScanCells::cross(const octomap::point3d& end) {
-  const std::size_t first = index(sensor_cell_);
   const std::size_t last = index(tree_.coordToKey(end));
-  if (first == last) return;
-  grid_[first] = kCrossed;
+  if (last == middle()) return;
+  grid_[middle()] = kCrossed;
   octomap::point3d direction = end - sensor_;
   const auto length = static_cast<float>(direction.norm());
   if (length == 0) return;  // on both sides of a wall, and too close to have a direction
@@ -33,7 +32,7 @@ void ScanCells::cross(const octomap::point3d& end) {
 }
 
 ScanCells::Walk ScanCells::walk_along(const octomap::point3d& direction) const {
-  Walk walk{index(sensor_cell_), {}, {}, {}};
+  Walk walk{middle(), {}, {}, {}};
   std::size_t stride = 1;
   for (unsigned axis = 0; axis < 3; ++axis, stride *= edge_) {
     const float d = direction(axis);

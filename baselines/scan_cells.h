@@ -46,6 +46,8 @@ class ScanCells {
   Walk walk_along(const octomap::point3d& direction) const;
   void cross(Walk walk, std::size_t last, double length);
 
+  /// Index of the sensor's cell: always in the middle of the grid.
+  std::size_t middle() const { return grid_.size() / 2; }
   std::size_t next_met(std::size_t i, std::size_t end) const;
   std::size_t index(const octomap::OcTreeKey& key) const {
     const auto from_lowest = [&](unsigned axis) {
