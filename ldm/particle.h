@@ -89,7 +89,7 @@ struct ParticlePair {
 class ParticleCopy {
  public:
   explicit ParticleCopy(const Particle& p) { std::memcpy(&all_, &p, sizeof all_); }
-  void put(Particle& p) const { std::memcpy(&p, &all_, sizeof all_); }
+  void put(std::byte* to) const { std::memcpy(to, &all_, sizeof all_); }
 
  private:
   Int32x4 all_;

@@ -120,7 +120,7 @@ class Particles {
                    const RandomStream& stream, std::uint64_t draw) const;
   std::span<Particle> slot_range(std::size_t first, std::size_t n);
   std::uint32_t count(std::size_t slot) const;
-  VelocitySum& before(std::uint32_t place, Part& part) const;
+  void add_to_births(std::uint32_t place, const Particle& p, Part& part) const;
   /// Per slot, from `resample` on: its place among the voxels, 0 for none; its count until then.
   std::vector<std::uint32_t>& places() { return parts_[0].count; }
   /// In all slots, after `weigh`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "ldm/processor.h"
+
 namespace ldm {
 namespace {
 
@@ -15,7 +17,7 @@ std::int32_t cell(float x, float size) {
 
 }  // namespace
 
-void RayEnds::find(std::span<const Point> rays, bool for_ever) {
+LDM_TWICE void RayEnds::find(std::span<const Point> rays, bool for_ever) {
   const float reach = for_ever ? kNever : 1;
   const Eigen::Array3f size = size_.cast<float>();
   const Eigen::Array3f per_high = 1 / (size - sensor_.array());

@@ -8,23 +8,27 @@
 namespace ldm {
 namespace {
 
-constexpr std::uint32_t kEnd = 1000;
+constexpr std::uint32_t kSize = CopyPlaces::kSize;
+constexpr std::uint32_t kPlaces = 1000;
 constexpr std::uint32_t kSpare = 1234;
 
 TEST(CopyPlacesTest, ByHand) {
-  CopyPlaces places;
-  places.first[0] = places.last[0] = 7;
-  places.first[1] = 7, places.last[1] = 8;
-  places.first[2] = 8, places.last[2] = 10;
-  EXPECT_FALSE(places.choose(kEnd, kSpare));
-  EXPECT_EQ(places.one[0], kSpare);
-  EXPECT_EQ(places.other[0], kSpare);
-  EXPECT_EQ(places.one[1], 7u);
-  EXPECT_EQ(places.other[1], kSpare);
-  EXPECT_EQ(places.one[2], 8u);
-  EXPECT_EQ(places.other[2], 9u);
-  places.first[63] = 10, places.last[63] = 13;
-  EXPECT_TRUE(places.choose(kEnd, kSpare));
+  CopyPlaces places(kPlaces, kSpare);
+  places.claim(0, 7 * kSize + 3, 7 * kSize + 9);  // ends in the place in which it begins
+  places.claim(1, 7 * kSize + 9, 8 * kSize);
+  places.claim(2, 8 * kSize, 10 * kSize + 15);
+  EXPECT_FALSE(places.choose());
+  EXPECT_EQ(places.one(0), kSpare * kSize);
+  EXPECT_EQ(places.other(0), kSpare * kSize);
+  EXPECT_EQ(places.one(1), 7 * kSize);
+  EXPECT_EQ(places.other(1), kSpare * kSize);
+  EXPECT_EQ(places.one(2), 8 * kSize);
+  EXPECT_EQ(places.other(2), 9 * kSize);
+  places.claim(63, 10 * kSize + 15, 13 * kSize);
+  EXPECT_TRUE(places.choose());
+  EXPECT_EQ(places.one(63), 10 * kSize);
+  EXPECT_EQ(places.other(63), 11 * kSize);
+  EXPECT_EQ(places.end(63), 13 * kSize);
 }
 
 TEST(CopyPlacesTest, WhatIsClaimedBeyondTheEndIsLost) {
@@ -33,23 +37,24 @@ TEST(CopyPlacesTest, WhatIsClaimedBeyondTheEndIsLost) {
     return lowest + static_cast<std::uint32_t>(uniform_int(0, most, random));
   };
   for (int trial = 0; trial < 1000; ++trial) {
-    CopyPlaces places;
-    CopyPlaces wanted;
+    CopyPlaces places(kPlaces, kSpare);
+    std::array<std::uint32_t, CopyPlaces::kBlock> first{};
+    std::array<std::uint32_t, CopyPlaces::kBlock> last{};
     bool third = false;
     for (std::size_t i = 0; i < CopyPlaces::kBlock; ++i) {
-      wanted.first[i] = place(kEnd - 30, 60);
-      wanted.last[i] = place(wanted.first[i], trial % 2 == 0 ? 2 : 5);
-      places.first[i] = wanted.first[i];
-      places.last[i] = wanted.last[i];
-      third = third || std::min(wanted.last[i], kEnd) > wanted.first[i] + 2;
+      first[i] = place(kPlaces - 30, 60);
+      last[i] = place(first[i], trial % 2 == 0 ? 2 : 5);
+      places.claim(i, first[i] * kSize + place(0, kSize - 1),
+                   last[i] * kSize + place(0, kSize - 1));
+      first[i] = std::min(first[i], kPlaces);
+      last[i] = std::min(last[i], kPlaces);
+      third = third || last[i] > first[i] + 2;
     }
-    ASSERT_EQ(places.choose(kEnd, kSpare), third);
+    ASSERT_EQ(places.choose(), third);
     for (std::size_t i = 0; i < CopyPlaces::kBlock; ++i) {
-      const std::uint32_t first = wanted.first[i];
-      const std::uint32_t last = std::min(wanted.last[i], kEnd);
-      ASSERT_EQ(places.one[i], first < last ? first : kSpare);
-      ASSERT_EQ(places.other[i], first + 1 < last ? first + 1 : kSpare);
-      ASSERT_LE(places.last[i], kEnd);
+      ASSERT_EQ(places.one(i), (first[i] < last[i] ? first[i] : kSpare) * kSize);
+      ASSERT_EQ(places.other(i), (first[i] + 1 < last[i] ? first[i] + 1 : kSpare) * kSize);
+      ASSERT_EQ(places.end(i), last[i] * kSize);
     }
   }
 }
