@@ -16,6 +16,8 @@ class ParticleMotion {
   /// @param voxels_per_mps dt / resolution, not negative: voxels that 1 m/s covers
   ParticleMotion(const RingIndex& index, int fraction_bits, double voxels_per_mps);
 
+  /// What `move` gives for a pair out of the map: the number of slots.
+  const Int32x4& gone() const { return gone_; }
   /// x_k = x_{k-1} + dt v_k of a pair in the map, modulo the map [voxels / 2^fraction_bits], by
   /// velocities in Particle::kVelocityQuantum. Slots, in lanes 0 and 2; the number of slots, and a
   /// position without meaning, where that is out of the map. Errs by a quantum of the position, or
@@ -36,6 +38,7 @@ class ParticleMotion {
   }
 
  private:
+  friend class MotionOfFours;
   UInt16x8 extent_, origin_;  // of the window
   UInt16x8 highest_;          // position in it
   Int16x8 step_;              // position units per velocity unit, times 2^(15 - doublings_)

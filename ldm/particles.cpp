@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ldm/log_odds.h"
+#include "ldm/prediction_pass.h"
 
 namespace ldm {
 namespace {
@@ -67,25 +68,14 @@ void Particles::predict(double dt, const RingIndex& index) {
   parallel_.run([&](int part) { predict_part(part, motion); });
 }
 
-/// `motion` by value: nothing that the loop writes can be a part of it, so it stays in registers.
-void Particles::predict_part(int part, ParticleMotion motion) {
-  const RandomStream stream(seed_, Purpose::kPrediction, frame_);
+void Particles::predict_part(int part, const ParticleMotion& motion) {
   std::vector<std::uint32_t>& counts = parts_[static_cast<std::size_t>(part)].count;
   std::fill(counts.begin(), counts.end(), 0U);
-  std::uint32_t* const count = counts.data();
-  Particle* const particles = particles_.data();
   const auto [begin, end] = stretch(part);
-  for (std::size_t i = begin; i < end; i += 2) {
-    Particle* const two = particles + i;
-    ParticlePair pair(two);
-    pair.velocity = noise_.changed(pair.velocity, stream.bits(i / 2));
-    const Int32x4 slots = motion.move(pair.position, pair.velocity);
-    pair.store(slots, two);
-    ++count[static_cast<std::uint32_t>(slots[0])];
-    ++count[static_cast<std::uint32_t>(slots[2])];
-  }
-  if (end % 2 == 1) --count[particles[end].slot];  // a spare place made up the last pair
-  counts.back() = 0;                               // those that left the map
+  const RandomStream stream(seed_, Purpose::kPrediction, frame_);
+  PredictionPass{particles_.data(), counts.data(), noise_, stream, motion}.run(begin, end);
+  if (end % 2 == 1) --counts[particles_[end].slot];  // a spare place made up the last pair
+  counts.back() = 0;                                 // those that left the map
 }
 
 void Particles::forget(std::size_t first, std::size_t n) {

@@ -105,7 +105,7 @@ class Particles {
   /// The particles of a part: whole pairs, but for the last of all.
   Parallel::Share stretch(int part) const;
   void scatter_uniformly(const RingIndex& index);
-  void predict_part(int part, ParticleMotion motion);
+  void predict_part(int part, const ParticleMotion& motion);
   void weigh_part(int part, std::span<const float> log_odds);
   bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
   std::size_t list_claimants(std::span<const float> log_odds, std::size_t first, std::size_t last,

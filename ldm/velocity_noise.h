@@ -29,11 +29,12 @@ class VelocityNoise {
   /// Requires sigma_xy and sigma_z of 0 to 3 m/s (parameters.h): sums of entries fit 16 bits.
   explicit VelocityNoise(const ParticleParameters& particles);
 
-  /// v_k = v_{k-1} + sigma of a pair; saturates. The highest 11 bits of each quarter of `bits` name
-  /// an entry: those of the lower two are for the first particle, of the upper two for the second.
-  /// Eq. (4)
+  /// sigma of a pair. The highest 11 bits of each quarter of `bits` name an entry: those of the
+  /// lower two are for the first particle, of the upper two for the second.
+  Int16x8 draw(std::uint64_t bits) const { return entries<0, 2>(bits) + entries<1, 3>(bits); }
+  /// v_k = v_{k-1} + sigma of a pair; saturates.  Eq. (4)
   Int16x8 changed(const Int16x8& v, std::uint64_t bits) const {
-    return saturating_sum(v, entries<0, 2>(bits) + entries<1, 3>(bits));
+    return saturating_sum(v, draw(bits));
   }
   /// The same of one particle, from the lower 32 bits.
   void change(Particle& p, std::uint64_t bits) const {
@@ -44,6 +45,7 @@ class VelocityNoise {
   }
 
  private:
+  friend class NoiseOfFours;
   static constexpr std::size_t kSize = std::size_t{1} << kBits;
 
   /// x, y, z, 0 of the entry that a quarter names in lanes 0 to 3, of another in 4 to 7.

@@ -1,0 +1,90 @@
+/// The two ways through the particles that predict them: the same bits.
+#include "ldm/prediction_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "tests/ldm/random_inputs.h"
+
+namespace ldm {
+namespace {
+
+/// Particles of one map, predicted in any way.
+class PredictionPassTest : public testing::TestWithParam<Eigen::Vector3i> {
+ protected:
+  PredictionPassTest() : index_(GetParam()), noise_(ParticleParameters{}) {
+    index_.recenter({123, -45, 6}, [](std::size_t, std::size_t) {});
+    // Anywhere in the map, some of them gone; a velocity in two is one of the extremes.
+    for (Particle& p : before_) {
+      for (std::uint16_t* at : {&p.x, &p.y, &p.z}) *at = position_along(at - &p.x);
+      for (std::int16_t* v : {&p.vx, &p.vy, &p.vz}) {
+        *v = static_cast<std::int16_t>(uniform_int(INT16_MIN, INT16_MAX, random_));
+        if (uniform_int(0, 1, random_) == 0) *v = *v < 0 ? INT16_MIN : INT16_MAX;
+      }
+      p.slot =
+          static_cast<std::uint32_t>(uniform_int(0, static_cast<int>(index_.count()), random_));
+    }
+  }
+
+  struct Predicted {
+    std::vector<Particle> particles;
+    std::vector<std::uint32_t> count;
+
+    bool operator==(const Predicted& other) const {
+      return count == other.count && std::memcmp(particles.data(), other.particles.data(),
+                                                 particles.size() * sizeof(Particle)) == 0;
+    }
+  };
+  /// What `way(pass)` makes of them, where 1 m/s covers so many voxels.
+  template <class Way>
+  Predicted predicted(double voxels_per_mps, Way way) const {
+    Predicted result{before_, std::vector<std::uint32_t>(index_.count() + 1)};
+    way(PredictionPass{result.particles.data(), result.count.data(), noise_,
+                       RandomStream(1, Purpose::kPrediction, 2),
+                       ParticleMotion(index_, fraction_bits_, voxels_per_mps)});
+    result.count.back() = 0;  // not exact
+    return result;
+  }
+
+ private:
+  std::uint16_t position_along(std::ptrdiff_t axis) {
+    return static_cast<std::uint16_t>(
+        uniform_int(0, (GetParam()[axis] << fraction_bits_) - 1, random_));
+  }
+
+  Random random_{5};
+  RingIndex index_;
+  int fraction_bits_ = ParticleMotion::fraction_bits(GetParam());
+  VelocityNoise noise_;
+  std::vector<Particle> before_ = std::vector<Particle>(4000);
+};
+
+TEST_P(PredictionPassTest, FoursAndPairsAreTheSameBits) {
+  for (const double voxels_per_mps : {0., 1e-5, 0.01, 0.6667, 6.7, 300.}) {
+    const Predicted pairs =
+        predicted(voxels_per_mps, [](const PredictionPass& pass) { pass.run_pairs(2, 3990); });
+    const Predicted fours = predicted(voxels_per_mps, [](const PredictionPass& pass) {
+      const std::size_t next = pass.run_fours(2, 3989);
+      if (next != 2) {
+        EXPECT_EQ(next, 3986u);  // a processor with AVX2
+      }
+      pass.run_pairs(next, 3989);
+    });
+    EXPECT_TRUE(fours == pairs) << voxels_per_mps;
+  }
+}
+
+TEST_P(PredictionPassTest, RunsThroughAnyStretchAsInPairs) {
+  for (std::size_t end = 0; end < 12; ++end) {
+    const auto in_pairs = [&](const PredictionPass& pass) { pass.run_pairs(0, end); };
+    const auto as_a_whole = [&](const PredictionPass& pass) { pass.run(0, end); };
+    EXPECT_TRUE(predicted(0.6667, as_a_whole) == predicted(0.6667, in_pairs)) << end;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllSizes, PredictionPassTest, testing::ValuesIn(map_sizes()));
+
+}  // namespace
+}  // namespace ldm
