@@ -128,6 +128,12 @@ test-ldm: $(BUILD)/Makefile
 	@$(call compile,ldm_tests)
 	@$(BUILD)/tests/ldm_tests --gtest_brief=1
 
+.PHONY: test-old
+test-old: $(BUILD)/Makefile ## the tests of ldm/ on an emulated x86 processor without AVX2, of 2008: the same bits
+	$(call install,tests/old/apt-packages.txt)
+	@$(call compile,ldm_tests)
+	@qemu-x86_64 -cpu Nehalem $(BUILD)/tests/ldm_tests --gtest_brief=1
+
 .PHONY: test-arm
 test-arm: BUILD = build-arm
 test-arm: ## ldm/ and its tests, built for 64-bit ARM and run under an emulator: 4 minutes
