@@ -130,6 +130,7 @@ test-ldm: $(BUILD)/Makefile
 
 .PHONY: test-old
 test-old: $(BUILD)/Makefile ## the tests of ldm/ on an emulated x86 processor without AVX2, of 2008: the same bits
+	$(if $(NATIVE),$(error test-old is for the portable build, without NATIVE=1))
 	$(call install,tests/old/apt-packages.txt)
 	@$(call compile,ldm_tests)
 	@qemu-x86_64 -cpu Nehalem $(BUILD)/tests/ldm_tests --gtest_brief=1

@@ -10,8 +10,8 @@
 
 namespace ldm {
 
-/// A block of particles, and the places of their copies, in bytes. Claims end within places; the
-/// lowest bits, which say where, do not count: a shift makes a place of a claim, without a product.
+/// A block of particles, and the places of their copies, in bytes: a shift makes one of a claim,
+/// without a product. Claims end within places; the lowest four bits, which say where, are cut off.
 ///
 /// Most have no copy, one or two, as if by chance: a processor that guesses which loses more time
 /// than by two copies of all, which go to a spare place where they are too many. The choice is made
@@ -22,13 +22,14 @@ class CopyPlaces {
   static constexpr std::uint32_t kSize = sizeof(Particle);
   static constexpr int kSizeBits = std::countr_zero(kSize);
 
-  /// @param places for copies: what is claimed beyond them is lost
-  /// @param spare number of a place beyond them
+  /// @param places for copies: what is claimed beyond them is lost; fewer than 2^28
+  /// @param spare number of a place beyond them, below 2^28
   CopyPlaces(std::size_t places, std::size_t spare)
       : end_(static_cast<std::uint32_t>(places) * kSize),
         spare_(static_cast<std::uint32_t>(spare) * kSize) {}
 
-  /// Particle i of the block claims [begin, end) of the places.
+  /// Particle i of the block claims [begin, end) of the places. `one` and `other` still are those
+  /// of the block before.
   void claim(std::size_t i, std::uint64_t begin, std::uint64_t end) {
     begin_[i] = static_cast<std::uint32_t>(begin);
     claimed_to_[i] = static_cast<std::uint32_t>(end);

@@ -75,7 +75,7 @@ void Particles::predict_part(int part, const ParticleMotion& motion) {
   const RandomStream stream(seed_, Purpose::kPrediction, frame_);
   PredictionPass{particles_.data(), counts.data(), noise_, stream, motion}.run(begin, end);
   if (end % 2 == 1) --counts[particles_[end].slot];  // a spare place made up the last pair
-  counts.back() = 0;                                 // those that left the map
+  counts.back() = 0;  // those that left the map, and what the pass adds to them
 }
 
 void Particles::forget(std::size_t first, std::size_t n) {

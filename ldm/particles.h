@@ -6,7 +6,8 @@
 /// between, `weigh` walks the voxels: after resampling all weights are equal, so the weight of
 /// eq. 11 is a number of the voxel, and no particle has to store one.
 ///
-/// What comes of the particles' weights is in resampling.cpp, all else in particles.cpp.
+/// The loop of `predict` is in prediction_pass.cpp, what comes of the particles' weights in
+/// resampling.cpp, all else in particles.cpp.
 ///
 /// Threads share the particles out in stretches. Each counts its own, and finds its place in the
 /// comb behind the stretches before it: the result is the same bits for any number of threads.

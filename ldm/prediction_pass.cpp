@@ -18,7 +18,7 @@ void PredictionPass::run_pairs(std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; i += 2) {
     Particle* const two = pass.particles + i;
     ParticlePair pair(two);
-    pair.velocity = saturating_sum(pair.velocity, sigma);
+    pair.velocity = VelocityNoise::changed(pair.velocity, sigma);
     sigma = pass.noise.draw(pass.stream.bits(i / 2 + 1));
     count_slots(counted, pass.count);
     counted = pass.motion.move(pair.position, pair.velocity);

@@ -17,12 +17,13 @@ namespace ldm {
 /// steps at a time, in 0.8 of the time.
 struct PredictionPass {
   Particle* particles;
-  std::uint32_t* count;  ///< per slot, and one for those that are gone, which is not exact
+  std::uint32_t* count;  ///< per slot, and one for those that are gone, to which more is added
   const VelocityNoise& noise;
   RandomStream stream;  ///< its number i is for particles 2 i and 2 i + 1
   ParticleMotion motion;
 
-  /// Particles [begin, end). Requires an even `begin`; after an odd `end` goes one more particle.
+  /// Particles [begin, end). Requires an even `begin`; an odd `end` takes in the particle there,
+  /// which is counted as well.
   void run(std::size_t begin, std::size_t end) const { run_pairs(run_fours(begin, end), end); }
 
   /// Two at a time, on any processor.

@@ -1,11 +1,11 @@
-/// Four particles at a time: what ParticlePair, VelocityNoise::changed and ParticleMotion::move do
-/// to one pair, done to two in registers twice as wide.
+/// Four particles at a time: what ParticlePair, VelocityNoise and ParticleMotion::move do to one
+/// pair, done to two in registers twice as wide.
 #include "ldm/prediction_pass.h"
 
 #ifdef __x86_64__
 #include <immintrin.h>
 
-/// Before a function: may use AVX2, and is called on processors that have it alone.
+/// Before a function: may use AVX2, and is called only on processors that have it.
 #define LDM_AVX2 __attribute__((target("avx2")))
 
 namespace ldm {
@@ -54,32 +54,6 @@ class MotionOfFours {
   int doublings_;
 };
 
-/// Four particles in two registers each.
-struct FourParticles {
-  __m256i position, velocity;
-
-  LDM_AVX2 explicit FourParticles(const Particle* four) {
-    const auto* const at = reinterpret_cast<const __m256i*>(four);
-    const __m256i a = _mm256_loadu_si256(at);
-    const __m256i b = _mm256_loadu_si256(at + 1);
-    position = _mm256_unpacklo_epi64(a, b);
-    velocity = _mm256_unpacklo_epi64(_mm256_srli_si256(a, kVelocityOffset),
-                                     _mm256_srli_si256(b, kVelocityOffset));
-  }
-
-  LDM_AVX2 void store(__m256i slots, Particle* four) const {
-    // x, y, z and vx, vy, vz of a particle come together; the slot goes behind them.
-    const __m256i together = _mm256_broadcastsi128_si256(
-        _mm_setr_epi8(0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 12, 13, -1, -1, -1, -1));
-    const __m256i a = _mm256_shuffle_epi8(_mm256_unpacklo_epi64(position, velocity), together);
-    const __m256i b = _mm256_shuffle_epi8(_mm256_unpackhi_epi64(position, velocity), together);
-    constexpr int kLastOfEach = 0b1000'1000;
-    auto* const at = reinterpret_cast<__m256i*>(four);
-    _mm256_storeu_si256(at, _mm256_blend_epi32(a, _mm256_shuffle_epi32(slots, 0), kLastOfEach));
-    _mm256_storeu_si256(at + 1, _mm256_blend_epi32(b, slots, kLastOfEach));
-  }
-};
-
 /// Draws of VelocityNoise for four particles.
 class NoiseOfFours {
  public:
@@ -107,6 +81,32 @@ class NoiseOfFours {
 };
 
 namespace {
+
+/// Four particles in two registers each.
+struct FourParticles {
+  __m256i position, velocity;
+
+  LDM_AVX2 explicit FourParticles(const Particle* four) {
+    const auto* const at = reinterpret_cast<const __m256i*>(four);
+    const __m256i a = _mm256_loadu_si256(at);
+    const __m256i b = _mm256_loadu_si256(at + 1);
+    position = _mm256_unpacklo_epi64(a, b);
+    velocity = _mm256_unpacklo_epi64(_mm256_srli_si256(a, kVelocityOffset),
+                                     _mm256_srli_si256(b, kVelocityOffset));
+  }
+
+  LDM_AVX2 void store(__m256i slots, Particle* four) const {
+    // x, y, z and vx, vy, vz of a particle come together; the slot goes behind them.
+    const __m256i together = _mm256_broadcastsi128_si256(
+        _mm_setr_epi8(0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 12, 13, -1, -1, -1, -1));
+    const __m256i a = _mm256_shuffle_epi8(_mm256_unpacklo_epi64(position, velocity), together);
+    const __m256i b = _mm256_shuffle_epi8(_mm256_unpackhi_epi64(position, velocity), together);
+    constexpr int kLastOfEach = 0b1000'1000;
+    auto* const at = reinterpret_cast<__m256i*>(four);
+    _mm256_storeu_si256(at, _mm256_blend_epi32(a, _mm256_shuffle_epi32(slots, 0), kLastOfEach));
+    _mm256_storeu_si256(at + 1, _mm256_blend_epi32(b, slots, kLastOfEach));
+  }
+};
 
 LDM_AVX2 void count_slots(__m256i slots, std::uint32_t* count) {
   ++count[static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 0))];

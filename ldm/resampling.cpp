@@ -188,17 +188,17 @@ void Particles::resample(const RingIndex& index) {
   particles_.swap(resampled_);
 }
 
-/// Block by block: where the copies of all go, then the copies. In between their places come into
-/// the first cache. Stores would wait for them one after the other, a sixth of the pass. The copies
-/// of a block are made while the next one claims: one keeps the processor waiting for what it
-/// loads, the other for what it stores, and together they take 0.85 of the time.
+/// Block by block: where the copies of all go; the third copies and more at once, the first two
+/// while the next block claims. In between their places come into the first cache: stores would
+/// wait for them one after the other, a sixth of the pass. Claiming waits for what it loads,
+/// copying for what it stores: together they take 0.85 of the time.
 LDM_TWICE void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
   const std::uint32_t* const place_of = places().data();
   const std::uint32_t* const claims = found().claims.data();
   std::uint64_t* const next_of = part.next.data();
   auto* const resampled = reinterpret_cast<std::byte*>(resampled_.data());
-  const int bits = claim_bits_ - CopyPlaces::kSizeBits;
+  const int bits = claim_bits_ - CopyPlaces::kSizeBits;  // 1 or more: N_init < 2^26 (parameters.h)
   CopyPlaces copies(n_init_, n_init_ + kSpare * (1 + static_cast<std::size_t>(number)));
   const auto claim = [&](std::size_t i, const Particle& p) {
     const std::uint32_t place = place_of[p.slot];

@@ -33,12 +33,12 @@ class VelocityNoise {
   /// lower two are for the first particle, of the upper two for the second.
   Int16x8 draw(std::uint64_t bits) const { return entries<0, 2>(bits) + entries<1, 3>(bits); }
   /// v_k = v_{k-1} + sigma of a pair; saturates.  Eq. (4)
-  Int16x8 changed(const Int16x8& v, std::uint64_t bits) const {
-    return saturating_sum(v, draw(bits));
+  static Int16x8 changed(const Int16x8& v, const Int16x8& sigma) {
+    return saturating_sum(v, sigma);
   }
-  /// The same of one particle, from the lower 32 bits.
+  /// The same of one particle, with a draw of the lower 32 bits.
   void change(Particle& p, std::uint64_t bits) const {
-    const Int16x8 v = changed(Int16x8{p.vx, p.vy, p.vz}, bits);
+    const Int16x8 v = changed(Int16x8{p.vx, p.vy, p.vz}, draw(bits));
     p.vx = v[0];
     p.vy = v[1];
     p.vz = v[2];

@@ -212,7 +212,7 @@ TEST(ParticleResamplingTest, CombStartsElsewhereInEachFrame) {
 TEST(ParticleResamplingTest, AlwaysAllOfThemSortedAndInTheWindow) {
   Random random(5);
   for (const Eigen::Vector3i& n : map_sizes()) {
-    for (const std::int64_t count : {1, 7, 4000}) {
+    for (const std::int64_t count : {1, 7, 63, 64, 65, 128, 129, 4000}) {
       SCOPED_TRACE(testing::Message() << n.transpose() << ", " << count << " particles");
       ParticleFilter filter = filter_of(n, count, true);
       for (int k = 0; k < 4; ++k) {

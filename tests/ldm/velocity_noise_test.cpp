@@ -34,7 +34,7 @@ std::uint64_t bits_of(std::uint64_t i, std::uint64_t j, std::uint64_t k, std::ui
 
 /// What `bits` do to a particle at rest, and to the other of its pair [Particle::kVelocityQuantum].
 std::array<Eigen::Vector3i, 2> draw(const VelocityNoise& noise, std::uint64_t bits) {
-  const Int16x8 v = noise.changed(Int16x8{}, bits);
+  const Int16x8 v = noise.draw(bits);
   return {Eigen::Vector3i(v[0], v[1], v[2]), Eigen::Vector3i(v[4], v[5], v[6])};
 }
 
@@ -140,9 +140,9 @@ TEST(VelocityNoiseTest, SaturatesInsteadOfTurningAround) {
   const Int16x8 lowest = Int16x8{} + static_cast<std::int16_t>(kLowest);
   for (std::uint64_t i = 0; i < kEntries; ++i) {
     const std::uint64_t bits = bits_of(i, i, i, i);
-    const Int16x8 noise_alone = noise.changed(Int16x8{}, bits);
-    const Int16x8 high = noise.changed(highest, bits);
-    const Int16x8 low = noise.changed(lowest, bits);
+    const Int16x8 noise_alone = noise.draw(bits);
+    const Int16x8 high = VelocityNoise::changed(highest, noise_alone);
+    const Int16x8 low = VelocityNoise::changed(lowest, noise_alone);
     for (int lane = 0; lane < 8; ++lane) {
       EXPECT_EQ(high[lane], std::min(kHighest + noise_alone[lane], kHighest));
       EXPECT_EQ(low[lane], std::max(kLowest + noise_alone[lane], kLowest));
@@ -161,7 +161,7 @@ TEST(VelocityNoiseTest, OfAPairIsThatOfEach) {
       p.vz = kHighest;
     }
     const std::uint64_t bits = random();
-    const Int16x8 pair = noise.changed(ParticlePair(two).velocity, bits);
+    const Int16x8 pair = VelocityNoise::changed(ParticlePair(two).velocity, noise.draw(bits));
     noise.change(two[0], bits);
     noise.change(two[1], bits >> 32);
     for (int i = 0; i < 2; ++i) {
