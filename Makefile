@@ -196,7 +196,7 @@ bench-compare: $(BUILD)/Makefile ## time of the working tree over that of REV, b
 # --- Studies ---------------------------------------------------------------------------------------
 
 # $(call run_study,NAME). Times count only where trials run one after the other.
-run_study = $(PYTHON) experiments/run_study.py $(1) --program $(LDM) --results $(RESULTS) \
+run_study = $(PYTHON) experiments/harness/run_study.py $(1) --program $(LDM) --results $(RESULTS) \
   --jobs '$(JOBS)' $(if $(filter timing,$(1)),--serial) $(if $(SEEDS),--seeds '$(SEEDS)') \
   $(if $(FRAMES),--frames '$(FRAMES)') $(if $(FRESH),--fresh) $(slurm) $(foreach file,$(PLUGIN),--plugin '$(file)')
 slurm = $(if $(SLURM),--shards '$(SHARDS)' --shard-cpus '$(CPUS)' --sbatch-flags='$(subst ','\'',$(SBATCH_FLAGS))')
@@ -278,7 +278,7 @@ plot: study-named setup ## tables and figures of STUDY=name, from the results th
 
 .PHONY: studies
 studies: program ## list the studies: number of trials, estimated time on JOBS cores
-	@$(PYTHON) experiments/list_studies.py --program $(LDM) --results $(RESULTS) --jobs '$(JOBS)' --serial timing
+	@$(PYTHON) experiments/harness/list_studies.py --program $(LDM) --results $(RESULTS) --jobs '$(JOBS)' --serial timing
 
 .PHONY: timing
 timing: program ## computation time of each stage, trials one after the other

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "datasets/input_parameters.h"
-#include "experiments/text.h"
+#include "datasets/files/text.h"
+#include "datasets/recording/scans/input_parameters.h"
 
 namespace experiments {
 namespace {
@@ -45,7 +45,7 @@ struct RangeText {
   std::string operator()(bool) const { return "true|false"; }
   template <class E, class Names>
   std::string operator()(const E&, const Names& names) const {
-    return joined(names, "|");
+    return datasets::joined(names, "|");
   }
 };
 

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <string>
 
-#include "experiments/data_folders.h"
-#include "experiments/study.h"
+#include "experiments/method/data_folders.h"
+#include "experiments/study/study.h"
 
 namespace experiments {
 

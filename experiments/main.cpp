@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "datasets/files/text.h"
 #include "experiments/listings.h"
-#include "experiments/plugins.h"
-#include "experiments/provenance.h"
-#include "experiments/render.h"
-#include "experiments/run.h"
-#include "experiments/score.h"
-#include "experiments/simulate.h"
-#include "experiments/text.h"
-#include "experiments/trial.h"
-#include "experiments/view.h"
+#include "experiments/method/plugins.h"
+#include "experiments/method/provenance.h"
+#include "experiments/runs/render.h"
+#include "experiments/runs/run.h"
+#include "experiments/runs/score.h"
+#include "experiments/runs/simulate.h"
+#include "experiments/runs/view.h"
+#include "experiments/study/trial.h"
 
 namespace {
 
@@ -25,7 +25,7 @@ using experiments::DataFolders;
 enum ExitCode { kGood = 0, kFailed = 1, kBadInput = 2 };
 
 int complain(std::string_view message, ExitCode code) {
-  std::cerr << "ldm: " << experiments::single_line(message) << '\n';
+  std::cerr << "ldm: " << datasets::single_line(message) << '\n';
   return code;
 }
 
@@ -88,7 +88,7 @@ class CommandLine {
     if (unknown.empty() || !app_.get_subcommands().empty()) return error.what();
     std::vector<std::string> known;
     for (const CLI::App* command : app_.get_subcommands({})) known.push_back(command->get_name());
-    return "unknown subcommand " + unknown.front() + ": allowed: " + experiments::joined(known);
+    return "unknown subcommand " + unknown.front() + ": allowed: " + datasets::joined(known);
   }
 
   CLI::App* add(const std::string& name, const std::string& help, const std::string& example,
@@ -147,7 +147,7 @@ class CommandLine {
     CLI::App* command =
         add("run", "run a method; writes clusters.csv, frames.csv, timing.csv and summary.json",
             "ldm run ldm scenario1 -o out --set particles.count=50000 --frames 300", [this] {
-              run_.command = experiments::command_line(words_);
+              run_.command = datasets::command_line(words_);
               experiments::run(run_, folders());
               return kGood;
             });

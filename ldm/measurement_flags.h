@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ldm/flag.h"
-#include "ldm/parallel.h"
+#include "ldm/machine/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/types.h"
 #include "ldm/voxel_walk.h"

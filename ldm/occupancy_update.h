@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "ldm/lanes.h"
-#include "ldm/parallel.h"
+#include "ldm/machine/lanes.h"
+#include "ldm/machine/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/ring_buffer.h"
 

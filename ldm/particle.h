@@ -7,7 +7,7 @@
 #include <cstring>
 #include <span>
 
-#include "ldm/lanes.h"
+#include "ldm/machine/lanes.h"
 #include "ldm/types.h"
 
 namespace ldm {

@@ -1,6 +1,6 @@
 #pragma once
 /// How a particle moves on: paper Eq. (5).
-#include "ldm/lanes.h"
+#include "ldm/machine/lanes.h"
 #include "ldm/ring_buffer.h"
 
 namespace ldm {

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "ldm/parallel.h"
+#include "ldm/machine/parallel.h"
 #include "ldm/parameters.h"
 #include "ldm/particle.h"
 #include "ldm/particle_motion.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ldm/processor.h"
+#include "ldm/machine/processor.h"
 
 namespace ldm {
 namespace {

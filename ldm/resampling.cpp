@@ -6,8 +6,8 @@
 
 #include "ldm/copy_places.h"
 #include "ldm/log_odds.h"
+#include "ldm/machine/processor.h"
 #include "ldm/particles.h"
-#include "ldm/processor.h"
 
 namespace ldm {
 namespace {

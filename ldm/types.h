@@ -6,6 +6,7 @@
 /// sensor coordinates to world coordinates. Lengths in metres, times in seconds, velocities in
 /// metres a second, probabilities in [0, 1].
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -88,6 +89,11 @@ struct LocalMap {
   std::vector<float> occupancy;      ///< P(Occ) per voxel; exactly 0.5 where unknown
   std::vector<std::int32_t> labels;  ///< per voxel its cluster's position in `clusters`, or -1
   std::vector<Cluster> clusters;     ///< empty for mappers that find none
+
+  std::int64_t dynamic_clusters() const {
+    return std::count_if(clusters.begin(), clusters.end(),
+                         [](const Cluster& c) { return c.dynamic; });
+  }
 };
 
 }  // namespace ldm

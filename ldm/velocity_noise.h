@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ldm/lanes.h"
+#include "ldm/machine/lanes.h"
 #include "ldm/parameters.h"
 #include "ldm/particle.h"
 

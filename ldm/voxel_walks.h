@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ldm/lanes.h"
+#include "ldm/machine/lanes.h"
 #include "ldm/voxel_walk.h"
 
 namespace ldm {

@@ -16,7 +16,7 @@ struct Pattern {
 };
 
 struct Configuration {
-  /// A method of experiments/methods.cpp, or one of the names below.
+  /// A method of experiments/method/methods.cpp, or one of the names below.
   std::string subject;
   int edge = 0;                ///< voxels along each axis of the map; 0: no map
   std::int64_t particles = 0;  ///< 0: none

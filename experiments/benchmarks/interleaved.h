@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "experiments/benchmarks/subject.h"
-#include "experiments/stage_clock.h"
+#include "experiments/method/stage_clock.h"
 
 namespace benchmarks {
 

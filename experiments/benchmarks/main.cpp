@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "datasets/files/text.h"
 #include "experiments/benchmarks/report.h"
-#include "experiments/text.h"
 
 namespace {
 
@@ -53,7 +53,7 @@ void measure(const Options& options) {
   const std::vector<benchmarks::Configuration> chosen =
       benchmarks::configurations(options.prefixes);
   if (chosen.empty()) {
-    throw ldm::InvalidInput("--only " + experiments::joined(options.prefixes) +
+    throw ldm::InvalidInput("--only " + datasets::joined(options.prefixes) +
                             ": no name begins so: allowed, for instance: ldm/32^3");
   }
   benchmarks::Scans scans(options.frames);

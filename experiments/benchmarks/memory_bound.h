@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ldm/parallel.h"
+#include "ldm/machine/parallel.h"
 
 namespace benchmarks {
 

@@ -5,7 +5,7 @@
 
 #include "experiments/benchmarks/footprint.h"
 #include "experiments/benchmarks/memory_bound.h"
-#include "experiments/provenance.h"
+#include "experiments/method/provenance.h"
 #include "ldm/local_dynamic_map.h"
 
 namespace benchmarks {

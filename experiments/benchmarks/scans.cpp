@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "datasets/simulation.h"
-#include "experiments/data_folders.h"
+#include "datasets/scenario/simulation.h"
+#include "experiments/method/data_folders.h"
 
 namespace benchmarks {
 

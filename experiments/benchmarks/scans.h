@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "datasets/scenario.h"
+#include "datasets/scenario/scenario.h"
 #include "experiments/benchmarks/configuration.h"
 #include "ldm/types.h"
 

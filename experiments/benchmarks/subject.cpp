@@ -1,8 +1,8 @@
 #include "experiments/benchmarks/subject.h"
 
-#include "datasets/simulation.h"
+#include "datasets/scenario/simulation.h"
 #include "experiments/benchmarks/memory_bound.h"
-#include "experiments/methods.h"
+#include "experiments/method/methods.h"
 #include "tests/reference/liboctomap.h"
 #include "tests/reference/plain_ldm.h"
 

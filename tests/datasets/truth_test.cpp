@@ -3,7 +3,7 @@
 
 #include "datasets/frame.h"
 #include "datasets/solid_bounds.h"
-#include "tests/datasets/random_solids.h"
+#include "tests/datasets/scenario/random_solids.h"
 
 namespace datasets {
 namespace {

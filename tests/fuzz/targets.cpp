@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "datasets/number_lines.h"
-#include "datasets/pcd_file.h"
-#include "datasets/recording.h"
-#include "datasets/trajectory.h"
+#include "datasets/recording/formats/pcd_file.h"
+#include "datasets/recording/recording.h"
+#include "datasets/recording/scans/number_lines.h"
+#include "datasets/recording/scans/trajectory.h"
 #include "ldm/scan_check.h"
 
 namespace fuzz {

@@ -1,4 +1,4 @@
-"""experiments/build_stamp.cmake: which commit a program says it was built from."""
+"""experiments/method/build_stamp.cmake: which commit a program says it was built from."""
 import subprocess
 from pathlib import Path
 
@@ -12,7 +12,7 @@ class Tree:
 
     def __init__(self, root: Path) -> None:
         self.root = root
-        for name in ("ldm/map.cpp", "README.md", "experiments/run_study.py", "experiments/RECORD.md"):
+        for name in ("ldm/map.cpp", "README.md", "experiments/harness/run_study.py", "experiments/RECORD.md"):
             self.write(name, "first")
         self.git("init", "--quiet")
         self.commit()
@@ -46,7 +46,7 @@ def tree(tmp_path: Path) -> Tree:
     return Tree(tmp_path / "tree")
 
 
-@pytest.mark.parametrize("name", ["README.md", "experiments/run_study.py", "experiments/RECORD.md"])
+@pytest.mark.parametrize("name", ["README.md", "experiments/harness/run_study.py", "experiments/RECORD.md"])
 def test_what_is_not_in_the_program_leaves_the_stamp(tree: Tree, name: str) -> None:
     before = tree.stamp()
     tree.write(name, "second")

@@ -8,7 +8,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def estimate(results: Path, program: Path, *options: str) -> str:
-    command = [sys.executable, ROOT / "experiments" / "estimate.py", "calibration", "--program", program,
+    command = [sys.executable, ROOT / "experiments" / "harness" / "estimate.py", "calibration", "--program", program,
                "--results", results, "--jobs", "2", *options]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 

@@ -89,7 +89,7 @@ def test_without_sbatch_one_line_says_so(bench):
     for name in ("git", "grep", "seq", "xargs"):
         (path / name).symlink_to(shutil.which(name))
     done = subprocess.run(
-        ["/usr/bin/python3", ROOT / "experiments" / "run_study.py", "fake", "--program", bench.program,
+        ["/usr/bin/python3", ROOT / "experiments" / "harness" / "run_study.py", "fake", "--program", bench.program,
          "--results", bench.results, "--shards", "2"],
         env={"PATH": str(path), "LOG": str(bench.log)}, capture_output=True, text=True, check=False)
     assert done.returncode == 1

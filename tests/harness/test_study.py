@@ -201,7 +201,7 @@ def plugin(tmp_path: Path) -> Path:
 def run_beside(bench, *variables: str) -> subprocess.CompletedProcess:
     """The runs of `make compare`, of which the fake records suffice for all but the table."""
     return subprocess.run(
-        ["/usr/bin/python3", ROOT / "experiments" / "run_study.py", "fake", "--program", bench.program,
+        ["/usr/bin/python3", ROOT / "experiments" / "harness" / "run_study.py", "fake", "--program", bench.program,
          "--results", bench.results, "--methods", "old new", *variables],
         env=os.environ | {"LOG": str(bench.log), "NAMED": "1"},
         capture_output=True, text=True, check=False)

@@ -32,7 +32,7 @@ def seconds(command: list) -> float:
 
 def study_s(folder: Path, jobs: int) -> float:
     """Of a study whose 10,000 trials do nothing: all that is not trial."""
-    return seconds(["/usr/bin/python3", "experiments/run_study.py", "nothing",
+    return seconds(["/usr/bin/python3", "experiments/harness/run_study.py", "nothing",
                     "--program", ROOT / "tests" / "scale" / "null_program.sh", "--results", folder,
                     "--jobs", str(jobs)])
 

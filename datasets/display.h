@@ -1,9 +1,0 @@
-#pragma once
-/// Whether there is a screen (no paper section).
-
-namespace datasets {
-
-/// True if a window can appear: DISPLAY names an X server that answers.
-bool has_display();
-
-}  // namespace datasets

@@ -1,0 +1,31 @@
+#pragma once
+/// Drives in the layout of KITTI's odometry benchmark (Geiger et al., CVPR 2012; no paper section).
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "datasets/recording/scans/recording_options.h"
+#include "datasets/recording/scans/scan_reader.h"
+
+namespace datasets {
+
+/// FOLDER/velodyne/NUMBER.bin, FOLDER/times.txt, FOLDER/poses.txt and, optional, FOLDER/calib.txt.
+/// With the latter, whose line `Tr:` maps Velodyne to camera coordinates, the poses are those of
+/// the camera, as KITTI's are; without it those of the sensor. The world is the sensor's frame
+/// where the pose is the identity: x forward, y left, z up.
+/// @throws ldm::InvalidInput naming the file that is missing, cannot be read, or has lines too few.
+std::unique_ptr<ScanReader> open_kitti(const std::filesystem::path& folder,
+                                       const RecordingOptions& options);
+
+/// Little-endian floats x, y, z, intensity of each point; appends to `points` [m].
+/// @param name for messages
+/// @throws BrokenFrame if the file is empty or ends in the middle of a point.
+void parse_kitti_scan(const std::string& content, const std::string& name,
+                      std::vector<ldm::Point>& points);
+
+/// Velodyne to camera coordinates, from the line `Tr:` or `Tr_velo_to_cam:` of a calib.txt.
+/// @throws ldm::InvalidInput if there is no such line or its numbers are no rigid transform.
+ldm::Pose read_kitti_calibration(const std::filesystem::path& file);
+
+}  // namespace datasets

@@ -1,0 +1,206 @@
+#include "datasets/recording/formats/mrpt_log_reader.h"
+
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <deque>
+
+#include "datasets/files/gz_archive.h"
+#include "datasets/files/toml_node.h"
+#include "datasets/quaternion_pose.h"
+#include "datasets/recording/formats/mrpt_scans.h"
+#include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/sensor_mount.h"
+#include "datasets/recording/scans/trajectory.h"
+
+namespace datasets {
+namespace {
+
+namespace fs = std::filesystem;
+using mrpt::obs::CObservation;
+
+constexpr std::size_t kMostWaiting = 64;
+
+ldm::Pose pose_of(const mrpt::poses::CPose3D& p) {
+  return {p.getRotationMatrix().asEigen(), {p.x(), p.y(), p.z()}};
+}
+
+/// Class and label of an observation.
+std::string kind_of(const CObservation& observation) {
+  return std::string(observation.GetRuntimeClass()->className) + " `" + observation.sensorLabel +
+         "`";
+}
+
+class MrptLogReader : public ScanReader {
+ public:
+  MrptLogReader(const fs::path& rawlog, const InputParameters& parameters)
+      : name_(rawlog.string()), archive_(rawlog), parameters_(parameters) {}
+
+  bool next(Frame& frame) override {
+    while (!may_take_one()) read_object();
+    if (waiting_.empty()) {
+      if (damaged_) {
+        damaged_ = false;
+        throw BrokenFrame("broken log", place(objects_) + ": the log is cut short or damaged");
+      }
+      if (frames_ == 0) reject_empty();
+      return false;
+    }
+    const Waiting scan = waiting_.front();
+    waiting_.pop_front();
+    place_ = place(scan.object);
+    frame.index = frames_++;
+    frame.truth.reset();
+    take(scan, frame.scan);
+    return true;
+  }
+  std::optional<std::int64_t> size() const override { return {}; }
+  std::string place() const override { return place_; }
+  InputCounts counts() const override {
+    InputCounts counts;
+    if (others_ > 0) counts.other["other observations in the log"] = others_;
+    return counts;
+  }
+
+ private:
+  /// A scan whose pose may not have been read yet.
+  struct Waiting {
+    std::int64_t object = 0;  ///< its number in the log
+    double time = 0;
+    CObservation::Ptr observation;
+  };
+
+  bool may_take_one() const {
+    if (ended_) return true;
+    if (waiting_.empty()) return false;
+    return parameters_.poses == PoseSource::kStill || track_.covers(waiting_.front().time) ||
+           waiting_.size() >= kMostWaiting;
+  }
+
+  void read_object() {
+    const GzArchive::Place state = archive_.place();
+    ended_ = state != GzArchive::Place::kMore;
+    damaged_ = state == GzArchive::Place::kBadEnd;
+    if (ended_) return;
+    const mrpt::serialization::CSerializable::Ptr object = archive_.read_object();
+    if (!object) {
+      ended_ = damaged_ = true;
+      return;
+    }
+    if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object)) {
+      for (const CObservation::Ptr& observation : *frame) take(observation);
+    } else {
+      take(std::dynamic_pointer_cast<CObservation>(object));
+    }
+    ++objects_;
+  }
+
+  /// An observation of no use is counted, and so is what is none: an action, a comment.
+  void take(const CObservation::Ptr& observation) {
+    if (!observation || !(take_scan(observation) || take_pose(*observation))) ++others_;
+  }
+
+  bool take_scan(const CObservation::Ptr& observation) {
+    if (!is_scan(*observation) || !is_of(scan_kind_, *observation)) return false;
+    waiting_.push_back({objects_, mrpt::Clock::toDouble(observation->timestamp), observation});
+    return true;
+  }
+
+  /// Of two poses that go back in time the first stays.
+  bool take_pose(const CObservation& observation) {
+    const std::optional<StampedPose> pose = pose_in(observation);
+    return pose && is_of(pose_kind_, observation) && track_.add(*pose);
+  }
+
+  /// True if `kind` is the observation's, or was none until now.
+  static bool is_of(std::string& kind, const CObservation& observation) {
+    if (kind.empty()) kind = kind_of(observation);
+    return kind == kind_of(observation);
+  }
+
+  std::optional<StampedPose> pose_in(const CObservation& observation) const {
+    const double time = mrpt::Clock::toDouble(observation.timestamp);
+    if (const auto* o = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation);
+        o != nullptr && parameters_.poses == PoseSource::kLog) {
+      return StampedPose{time, pose_of(o->pose.mean)};
+    }
+    if (const auto* o = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation);
+        o != nullptr && parameters_.poses == PoseSource::kOdometry) {
+      return StampedPose{time, pose_of(mrpt::poses::CPose3D(o->odometry))};
+    }
+    return {};
+  }
+
+  void take(const Waiting& waiting, ldm::Scan& scan) {
+    scan.time = waiting.time;
+    const ldm::Pose T_world_uav = vehicle_at(waiting.time);
+    ldm::Pose mount = mount_of(parameters_.sensor);
+    if (parameters_.sensor.from_log) {
+      if (!mount.translation.isZero() || !mount.rotation.isIdentity(1e-12)) {
+        throw ldm::InvalidInput(place_ +
+                                ": the log says where its sensor sits: allowed: input.sensor.* as "
+                                "they are, or input.sensor.from_log = false");
+      }
+      mount = mount_in(*waiting.observation);
+    }
+    set_poses(T_world_uav, PosesOf::kVehicle, mount, scan);
+    const std::string failure =
+        datasets::take_scan(*waiting.observation, parameters_.rotating, scan);
+    if (!failure.empty()) throw BrokenFrame("broken scan", place_ + ": " + failure);
+  }
+
+  ldm::Pose vehicle_at(double time) {
+    if (parameters_.poses == PoseSource::kStill) return {};
+    if (const auto pose = track_.at(time, parameters_.pose_gap)) return *pose;
+    const std::string sought =
+        parameters_.poses == PoseSource::kLog ? "CObservationRobotPose" : "CObservationOdometry";
+    std::string message = place_ + ": no pose at " + decimal(time) + " s: ";
+    if (track_.empty()) {
+      message += "the log has no " + sought +
+                 (ended_ ? "" : " up to object " + std::to_string(objects_)) +
+                 ": allowed: --set input.poses=still for a sensor at rest, or " +
+                 (parameters_.poses == PoseSource::kLog ? "odometry" : "log");
+    } else {
+      message += "the log has " + track_.around(time) +
+                 ": allowed: a gap of input.pose_gap_s = " + decimal(parameters_.pose_gap);
+    }
+    throw BrokenFrame("no pose", message);
+  }
+
+  [[noreturn]] void reject_empty() const {
+    throw ldm::InvalidInput(name_ +
+                            ": has no scan: allowed: CObservationVelodyneScan, "
+                            "CObservationPointCloud or CObservationRotatingScan");
+  }
+
+  std::string place(std::int64_t object) const {
+    return name_ + ": object " + std::to_string(object);
+  }
+
+  std::string name_;
+  GzArchive archive_;
+  InputParameters parameters_;
+  std::int64_t objects_ = 0;  // read so far
+  std::int64_t frames_ = 0;
+  std::int64_t others_ = 0;
+  bool ended_ = false, damaged_ = false;
+  std::string scan_kind_, pose_kind_, place_;
+  std::deque<Waiting> waiting_;
+  PoseTrack track_;
+};
+
+}  // namespace
+
+std::unique_ptr<ScanReader> open_mrpt_log(const fs::path& rawlog, const RecordingOptions& options) {
+  for (const auto& [option, file] :
+       {std::pair{"--poses", options.poses}, std::pair{"--times", options.times}}) {
+    if (!file) continue;
+    throw ldm::InvalidInput(std::string(option) + " " + file->string() +
+                            ": allowed: with a folder of scans; an MRPT log has its own");
+  }
+  return std::make_unique<MrptLogReader>(rawlog, options.input);
+}
+
+}  // namespace datasets

@@ -1,0 +1,136 @@
+#include "datasets/recording/recording.h"
+
+#include <algorithm>
+
+#include "datasets/files/toml_node.h"
+#include "datasets/rawlog/rawlog.h"
+#include "datasets/rawlog/rawlog_sidecars.h"
+#include "datasets/recording/filter/scan_filter.h"
+#include "datasets/recording/formats/kitti_reader.h"
+#include "datasets/recording/formats/mrpt_log_reader.h"
+#include "datasets/recording/formats/pcd_reader.h"
+#include "datasets/recording/scans/broken_frame.h"
+#include "ldm/scan_check.h"
+
+namespace datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_pcd(const fs::path& folder) {
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  return !error && std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().extension() == ".pcd";
+  });
+}
+
+RecordingFormat format_of(const fs::path& path, const RecordingOptions& options) {
+  if (!fs::exists(path)) throw ldm::InvalidInput(path.string() + ": cannot be read: no such file");
+  if (options.format) return *options.format;
+  if (const auto format = recognised_format(path)) return *format;
+  throw ldm::InvalidInput(path.string() +
+                          ": no recording: allowed: a KITTI folder with velodyne/, a folder of "
+                          "*.pcd files, or a .rawlog file");
+}
+
+std::unique_ptr<ScanReader> open_reader(const fs::path& path, RecordingFormat format,
+                                        const RecordingOptions& options) {
+  switch (format) {
+    case RecordingFormat::kKitti:
+      return open_kitti(path, options);
+    case RecordingFormat::kPcd:
+      return open_pcd_folder(path, options);
+    default:
+      return open_mrpt_log(path, options);
+  }
+}
+
+}  // namespace
+
+std::optional<RecordingFormat> recognised_format(const fs::path& path) {
+  if (fs::is_directory(path)) {
+    if (fs::is_directory(path / "velodyne")) return RecordingFormat::kKitti;
+    if (has_pcd(path)) return RecordingFormat::kPcd;
+    return {};
+  }
+  if (path.extension() != ".rawlog") return {};
+  return fs::exists(LogFiles(path).description) ? RecordingFormat::kLdmRawlog
+                                                : RecordingFormat::kMrptRawlog;
+}
+
+std::unique_ptr<FrameSource> open_recording(const fs::path& path, const RecordingOptions& options) {
+  const RecordingFormat format = format_of(path, options);
+  if (format == RecordingFormat::kLdmRawlog) {
+    auto log = std::make_unique<RawlogReader>(path);
+    if (!options.keep_going) return log;
+    return std::make_unique<UndamagedFrames>(std::move(log));
+  }
+  return std::make_unique<ScanFilter>(
+      std::make_unique<OrderedFrames>(open_reader(path, format, options), options.keep_going),
+      options.input);
+}
+
+bool UndamagedFrames::next(Frame& frame) {
+  if (ended_) return false;
+  try {
+    ended_ = !source_->next(frame);
+  } catch (const ldm::InvalidInput&) {
+    ended_ = true;
+    counts_.frames_skipped["damaged, or behind damage"] =
+        source_->size().value_or(read_ + 1) - read_;
+  }
+  if (!ended_) ++read_;
+  return !ended_;
+}
+
+OrderedFrames::OrderedFrames(std::unique_ptr<ScanReader> reader, bool keep_going)
+    : reader_(std::move(reader)), keep_going_(keep_going) {}
+
+bool OrderedFrames::next(Frame& frame) {
+  for (;;) {
+    bool usable = false;
+    try {
+      if (!take_one(frame, usable)) return false;
+      if (usable) return true;
+      ++counts_.frames_skipped["time of the frame before"];
+    } catch (const BrokenFrame& broken) {
+      if (!keep_going_) throw;
+      ++counts_.frames_skipped[broken.reason];
+    }
+  }
+}
+
+/// @return false at the end
+/// @param usable false for a repeated frame
+bool OrderedFrames::take_one(Frame& frame, bool& usable) {
+  if (!reader_->next(frame)) return false;
+  const double time = frame.scan.time;
+  usable = !last_time_ || time != *last_time_;
+  if (last_time_ && time < *last_time_) {
+    throw BrokenFrame("time goes backwards", reader_->place() + ": time " + decimal(time) +
+                                                 " s: allowed: more than " + decimal(*last_time_) +
+                                                 " s, that of the scan before");
+  }
+  ldm::Scan without_points;  // the filter looks at the points, of which some may be non-finite
+  without_points.time = time;
+  without_points.T_world_uav = frame.scan.T_world_uav;
+  without_points.T_world_sensor = frame.scan.T_world_sensor;
+  try {
+    ldm::check_scan(without_points, last_time_);
+  } catch (const ldm::InvalidInput& error) {
+    throw BrokenFrame("bad pose", reader_->place() + ": " + error.what());
+  }
+  last_time_ = time;
+  return true;
+}
+
+InputCounts OrderedFrames::counts() const {
+  InputCounts counts = reader_->counts();
+  for (const auto& [reason, count] : counts_.frames_skipped) {
+    counts.frames_skipped[reason] += count;
+  }
+  return counts;
+}
+
+}  // namespace datasets

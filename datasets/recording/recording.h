@@ -1,0 +1,64 @@
+#pragma once
+/// Recorded data of any known format as a source of frames (no paper section; docs/recordings.md).
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "datasets/frame.h"
+#include "datasets/recording/scans/recording_options.h"
+#include "datasets/recording/scans/scan_reader.h"
+
+namespace datasets {
+
+/// A folder with velodyne/ is KITTI's, one with *.pcd files PCD's; NAME.rawlog is our own log if
+/// NAME.log.toml stands beside it, else an MRPT log. None for anything else.
+std::optional<RecordingFormat> recognised_format(const std::filesystem::path& path);
+
+/// A recording's frames come in order of time, filtered as `options.input` says; a scan with the
+/// time of the one before is left out and counted. A log of our own is taken as it is, whatever
+/// `options.input` says. Memory does not grow with the length of the recording, but for the names
+/// in a folder of PCD files.
+///
+/// `Frame::index` is the number of the scan in the recording: frames left out leave gaps.
+/// @throws ldm::InvalidInput as its readers do; if the format is not recognised; from `next` also
+///   on a frame that cannot be used, unless `options.keep_going`.
+std::unique_ptr<FrameSource> open_recording(const std::filesystem::path& path,
+                                            const RecordingOptions& options);
+
+/// A log of our own, whose files hang together: behind damage nothing can be read. With
+/// `keep_going` it ends there, and what is lost is counted.
+class UndamagedFrames : public FrameSource {
+ public:
+  explicit UndamagedFrames(std::unique_ptr<FrameSource> source) : source_(std::move(source)) {}
+
+  bool next(Frame& frame) override;
+  std::optional<std::int64_t> size() const override { return source_->size(); }
+  InputCounts counts() const override { return counts_; }
+
+ private:
+  std::unique_ptr<FrameSource> source_;
+  std::int64_t read_ = 0;
+  bool ended_ = false;
+  InputCounts counts_;
+};
+
+/// The frames of a reader in order of time: those that cannot be used end the run or, if
+/// `keep_going`, are counted.
+class OrderedFrames : public FrameSource {
+ public:
+  OrderedFrames(std::unique_ptr<ScanReader> reader, bool keep_going);
+
+  bool next(Frame& frame) override;
+  std::optional<std::int64_t> size() const override { return reader_->size(); }
+  InputCounts counts() const override;
+
+ private:
+  bool take_one(Frame& frame, bool& usable);
+
+  std::unique_ptr<ScanReader> reader_;
+  bool keep_going_;
+  std::optional<double> last_time_;  // [s]
+  InputCounts counts_;
+};
+
+}  // namespace datasets

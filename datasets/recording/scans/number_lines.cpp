@@ -1,0 +1,101 @@
+#include "datasets/recording/scans/number_lines.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+#include "datasets/recording/scans/broken_frame.h"
+
+namespace datasets {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+constexpr std::size_t kLongestShown = 40;
+
+/// Takes the next word from `rest`; empty if there is none.
+std::string_view next_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+bool is_data(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(kBlanks);
+  return first != std::string_view::npos && line[first] != '#';
+}
+
+}  // namespace
+
+std::unique_ptr<std::istream> open_file(const std::filesystem::path& file) {
+  auto stream = std::make_unique<std::ifstream>(file, std::ios::binary);
+  if (!*stream) {
+    throw ldm::InvalidInput(file.string() + ": cannot be read (" + std::strerror(errno) + ")");
+  }
+  if (std::filesystem::is_directory(file)) {
+    throw ldm::InvalidInput(file.string() + ": is a folder: allowed: a file");
+  }
+  return stream;
+}
+
+NumberLines::NumberLines(const std::filesystem::path& file)
+    : NumberLines(open_file(file), file.string()) {}
+
+NumberLines::NumberLines(std::unique_ptr<std::istream> stream, std::string name)
+    : stream_(std::move(stream)), name_(std::move(name)) {}
+
+bool NumberLines::advance() {
+  do {
+    ++line_number_;
+    if (!std::getline(*stream_, line_)) {
+      line_.clear();
+      return false;
+    }
+  } while (!is_data(line_));
+  return true;
+}
+
+const std::vector<double>& NumberLines::numbers(std::size_t count, const std::string& reason) {
+  numbers_.clear();
+  std::string_view rest = line_;
+  for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+    if (word.front() == '+') word.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
+      reject(reason, std::string(word.substr(0, kLongestShown)) + ": allowed: a finite number");
+    }
+    numbers_.push_back(value);
+  }
+  if (numbers_.size() != count) {
+    reject(reason, std::to_string(numbers_.size()) + " numbers: allowed: " + std::to_string(count));
+  }
+  return numbers_;
+}
+
+std::size_t NumberLines::words() const {
+  std::size_t count = 0;
+  std::string_view rest = line_;
+  while (!next_word(rest).empty()) ++count;
+  return count;
+}
+
+std::string NumberLines::place() const {
+  return name_ + ":" + std::to_string(line_number_);
+}
+
+void NumberLines::reject(const std::string& reason, const std::string& message) const {
+  throw BrokenFrame(reason, place() + ": " + message);
+}
+
+std::int64_t count_lines(const std::filesystem::path& file) {
+  NumberLines lines(file);
+  std::int64_t count = 0;
+  while (lines.advance()) ++count;
+  return count;
+}
+
+}  // namespace datasets

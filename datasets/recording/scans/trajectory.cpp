@@ -1,0 +1,115 @@
+#include "datasets/recording/scans/trajectory.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+
+#include "datasets/files/toml_node.h"
+#include "datasets/quaternion_pose.h"
+#include "datasets/recording/scans/broken_frame.h"
+
+namespace datasets {
+namespace {
+
+constexpr std::size_t kTumNumbers = 8;
+constexpr char kBadPose[] = "bad pose";
+
+}  // namespace
+
+ldm::Pose interpolated(const ldm::Pose& a, const ldm::Pose& b, double share) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(a.rotation.transpose() * b.rotation));
+  const Eigen::AngleAxisd part(share * turn.angle(), turn.axis());
+  return {a.rotation * part.toRotationMatrix(),
+          a.translation + share * (b.translation - a.translation)};
+}
+
+std::optional<Eigen::Matrix3d> nearest_rotation(const Eigen::Matrix3d& m) {
+  constexpr double kFarthest = 0.05;
+  if (!(m.cwiseAbs().maxCoeff() < 2)) return {};
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
+  if (rotation.determinant() < 0 || (rotation - m).cwiseAbs().maxCoeff() > kFarthest) return {};
+  return rotation;
+}
+
+std::optional<ldm::Pose> kitti_pose(const std::vector<double>& numbers) {
+  using RowMajor = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+  const Eigen::Map<const RowMajor> matrix(numbers.data());
+  const auto rotation = nearest_rotation(matrix.leftCols<3>());
+  if (!rotation) return {};
+  return ldm::Pose{*rotation, matrix.col(3)};
+}
+
+TrajectoryFile::TrajectoryFile(const std::filesystem::path& file)
+    : TrajectoryFile(NumberLines(file)) {}
+
+TrajectoryFile::TrajectoryFile(NumberLines lines) : lines_(std::move(lines)) {
+  ended_ = !lines_.advance();
+  const std::size_t words = lines_.words();
+  has_times_ = words == kTumNumbers;
+  if (words == kTumNumbers || words == kKittiNumbers) return;
+  throw ldm::InvalidInput(lines_.place() + ": " + std::to_string(words) +
+                          " numbers: allowed: 8 (TUM: time x y z qx qy qz qw) or 12 (KITTI)");
+}
+
+bool TrajectoryFile::advance() {
+  if (at_first_) {
+    at_first_ = false;
+  } else if (!ended_) {
+    ended_ = !lines_.advance();
+  }
+  return !ended_;
+}
+
+StampedPose TrajectoryFile::pose() {
+  if (ended_) lines_.reject("no pose", "the file ends: allowed: a pose for each scan");
+  if (!has_times_) {
+    const auto pose = kitti_pose(lines_.numbers(kKittiNumbers, kBadPose));
+    if (!pose) lines_.reject(kBadPose, "the first three columns are no rotation matrix");
+    return {0, *pose};
+  }
+  const auto& n = lines_.numbers(kTumNumbers, kBadPose);
+  Eigen::Quaterniond q(n[7], n[4], n[5], n[6]);
+  constexpr double kWrongNorm = 0.05;
+  if (!(std::abs(q.norm() - 1) < kWrongNorm)) {
+    lines_.reject(kBadPose, "quaternion of norm " + decimal(q.norm()) + ": allowed: 1");
+  }
+  q.normalize();
+  return {n[0], {q.toRotationMatrix(), {n[1], n[2], n[3]}}};
+}
+
+bool PoseTrack::add(const StampedPose& pose) {
+  if (poses_.empty() || pose.time > poses_.back().time) {
+    poses_.push_back(pose);
+    return true;
+  }
+  if (pose.time < poses_.back().time) return false;
+  poses_.back() = pose;
+  return true;
+}
+
+std::optional<ldm::Pose> PoseTrack::at(double time, double longest_gap) {
+  // Two always stay: they tell the velocity beyond the end.
+  while (poses_.size() > 2 && poses_[1].time <= time) poses_.pop_front();
+  if (poses_.empty() || time < poses_.front().time - kReach || time > poses_.back().time + kReach) {
+    return {};
+  }
+  const StampedPose& a = poses_.front();
+  if (poses_.size() == 1) return a.pose;
+  const StampedPose& b = poses_[1];
+  if (time == a.time) return a.pose;
+  if (time == b.time) return b.pose;
+  if (b.time - a.time > longest_gap) return {};
+  return interpolated(a.pose, b.pose, (time - a.time) / (b.time - a.time));
+}
+
+std::string PoseTrack::around(double time) const {
+  std::string text;
+  for (const StampedPose& pose : poses_) {
+    if (!text.empty()) text += " and ";
+    text += decimal(pose.time);
+    if (pose.time > time) break;
+  }
+  return text.empty() ? "no poses" : "poses at " + text + " s";
+}
+
+}  // namespace datasets

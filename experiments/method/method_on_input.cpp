@@ -1,0 +1,125 @@
+#include "experiments/method/method_on_input.h"
+
+#include <algorithm>
+
+#include "datasets/files/text.h"
+#include "datasets/recording/recording.h"
+#include "datasets/scenario/simulation.h"
+
+namespace experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GivenSettings {
+  Settings file;
+  bool file_is_preset = false;
+  Settings options;  ///< of the command line
+};
+
+GivenSettings given_settings(const MethodOnInput& request, const DataFolders& folders) {
+  GivenSettings given;
+  if (request.config) {
+    const std::string& name = *request.config;
+    given.file_is_preset = !name.ends_with(".toml") && !fs::is_regular_file(name);
+    given.file = read_settings(given.file_is_preset ? folders.presets.file(name) : fs::path(name));
+  }
+  for (const std::string& argument : request.settings) {
+    given.options.push_back(parse_setting(argument));
+  }
+  return given;
+}
+
+std::optional<datasets::RecordingFormat> format_of(const MethodOnInput& request) {
+  const auto& names = datasets::kRecordingFormatNames;
+  if (!request.format) return datasets::recognised_format(request.input);
+  const auto* const name = std::find(std::begin(names), std::end(names), *request.format);
+  if (name == std::end(names)) {
+    throw ldm::InvalidInput("--format " + *request.format +
+                            ": allowed: " + datasets::joined(names));
+  }
+  return static_cast<datasets::RecordingFormat>(name - names);
+}
+
+/// True for what is read with input.* parameters.
+bool is_recording(const MethodOnInput& request) {
+  return request.is_log() && format_of(request) != datasets::RecordingFormat::kLdmRawlog;
+}
+
+[[noreturn]] void refuse_option(const std::string& option, std::string_view allowed) {
+  throw ldm::InvalidInput(option + ": allowed: " + std::string(allowed));
+}
+
+void refuse_recording_options(const datasets::RecordingOptions& options) {
+  constexpr std::string_view kWithRecording = "with a recording (KITTI, PCD, MRPT)";
+  if (options.poses) refuse_option("--poses " + options.poses->string(), kWithRecording);
+  if (options.times) refuse_option("--times " + options.times->string(), kWithRecording);
+}
+
+}  // namespace
+
+bool MethodOnInput::is_log() const {
+  if (format || input.ends_with(".rawlog")) return true;
+  if (input.ends_with(".toml")) return false;
+  return input.find('/') != std::string::npos || datasets::recognised_format(input).has_value();
+}
+
+ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method,
+                              const DataFolders& folders) {
+  ldm::Parameters parameters = default_parameters(method);
+  parameters.execution.threads = 0;
+  const GivenSettings given = given_settings(request, folders);
+  for (const Setting& setting : given.file) {
+    if (datasets::is_input_parameter(setting.name)) continue;
+    if (given.file_is_preset && !uses(method, setting.name)) continue;
+    apply(setting, method, parameters);
+  }
+  for (const Setting& setting : given.options) {
+    if (!datasets::is_input_parameter(setting.name)) apply(setting, method, parameters);
+  }
+  return parameters;
+}
+
+std::optional<datasets::InputParameters> input_parameters_of(const MethodOnInput& request,
+                                                             const DataFolders& folders) {
+  const bool recording = is_recording(request);
+  datasets::InputParameters parameters;
+  const GivenSettings given = given_settings(request, folders);
+  for (const Settings* settings : {&given.file, &given.options}) {
+    for (const Setting& setting : *settings) {
+      if (!datasets::is_input_parameter(setting.name)) continue;
+      if (!recording) {
+        refuse(setting,
+               "with a recording (KITTI, PCD, MRPT); scenarios and logs of `ldm simulate` "
+               "are taken as they are");
+      }
+      apply(setting, parameters);
+    }
+  }
+  if (!recording) return {};
+  datasets::check(parameters);
+  return parameters;
+}
+
+std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
+                                                  const DataFolders& folders,
+                                                  std::optional<std::int64_t> frames) {
+  const std::optional<datasets::InputParameters> input = input_parameters_of(request, folders);
+  if (!input) refuse_recording_options(request.recording);
+  if (!request.is_log()) {
+    if (request.recording.keep_going) refuse_option("--keep-going", "with a log or a recording");
+    const datasets::Scenario scenario =
+        datasets::read_scenario(folders.scenarios.file(request.input));
+    return std::make_unique<datasets::Simulation>(scenario, request.world_seed(), frames);
+  }
+  if (request.seed) {
+    throw ldm::InvalidInput("--seed " + std::to_string(*request.seed) +
+                            ": allowed: with a scenario; a log has no seed");
+  }
+  datasets::RecordingOptions options = request.recording;
+  options.format = format_of(request);
+  if (input) options.input = *input;
+  return datasets::open_recording(request.input, options);
+}
+
+}  // namespace experiments

@@ -1,0 +1,110 @@
+#include "experiments/method/methods.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "baselines/circular_buffer.h"
+#include "baselines/circular_buffer_pf.h"
+#include "baselines/current_scan.h"
+#include "baselines/octomap.h"
+#include "datasets/files/text.h"
+#include "ldm/local_dynamic_map.h"
+
+namespace experiments {
+namespace {
+
+using ldm::create;
+
+std::deque<Method>& table() {
+  static std::deque<Method> rows = {
+      {.name = "ldm",
+       .help = "the paper's Local Dynamic Map",
+       .finds_clusters = true,
+       .parameters = {"map", "sensor_model", "survival", "prediction", "particles", "clusters",
+                      "execution"},
+       .create = create<ldm::LocalDynamicMap>},
+      {.name = "circular_buffer",
+       .help = "hits and misses accumulated in a circular buffer ([11] of the paper)",
+       .parameters = {"map", "sensor_model"},
+       .create = create<baselines::CircularBuffer>},
+      // A lower clamp alone forgets faster: a gain over [11] has to beat this, too.
+      {.name = "circular_buffer_low_clamp",
+       .help = "circular_buffer with the upper clamp of the log-odds at 1.0",
+       .parameters = {"map", "sensor_model"},
+       .overrides = {{"sensor_model.log_odds_max", "1.0"}},
+       .create = create<baselines::CircularBuffer>},
+      // Sigma and readjustment are the ones that served this method best.
+      {.name = "circular_buffer_pf",
+       .help = "circular_buffer with the LDM's particle filter and clustering beside it",
+       .finds_clusters = true,
+       .parameters = {"map", "sensor_model", "particles", "clusters", "execution"},
+       .overrides = {{"particles.sigma_xy_mps", "0.35"},
+                     {"particles.sigma_z_mps", "0.35"},
+                     {"clusters.readjust", "false"}},
+       .create = create<baselines::CircularBufferPf>},
+      {.name = "octomap",
+       .help = "OctoMap's global tree, read in the window of the local map ([9] of the paper)",
+       .parameters = {"map", "sensor_model"},
+       .create = create<baselines::Octomap>},
+      {.name = "current_scan",
+       .help = "only the voxels hit by the current scan are occupied: no memory",
+       .parameters = {"map", "sensor_model"},
+       .create = create<baselines::CurrentScan>},
+  };
+  return rows;
+}
+
+}  // namespace
+
+const std::deque<Method>& methods() {
+  return table();
+}
+
+void add_methods(const std::vector<Method>& rows) {
+  std::set<std::string_view> names;
+  for (const Method& method : methods()) names.insert(method.name);
+  for (const Method& row : rows) {
+    if (!names.insert(row.name).second) {
+      throw ldm::InvalidInput("method " + std::string(row.name) +
+                              " exists already: allowed: other names than " +
+                              datasets::joined(names));
+    }
+  }
+  table().insert(table().end(), rows.begin(), rows.end());
+}
+
+const Method& find_method(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Method& method : methods()) {
+    if (method.name == name) return method;
+    known.push_back(method.name);
+  }
+  throw ldm::InvalidInput("unknown method " + std::string(name) +
+                          ": allowed: " + datasets::joined(known));
+}
+
+ldm::Parameters default_parameters(const Method& method) {
+  ldm::Parameters parameters;
+  for (const auto& [name, value] : method.overrides) {
+    ldm::set_parameter(parameters, name, value);
+  }
+  return parameters;
+}
+
+bool uses(const Method& method, std::string_view parameter) {
+  return std::any_of(
+      method.parameters.begin(), method.parameters.end(), [&](std::string_view used) {
+        return parameter == used ||
+               (parameter.starts_with(used) && parameter.substr(used.size()).starts_with('.'));
+      });
+}
+
+void apply(const Setting& setting, const Method& method, ldm::Parameters& parameters) {
+  apply(setting, parameters);
+  if (uses(method, setting.name)) return;
+  refuse(setting, "parameters that " + std::string(method.name) +
+                      " uses: " + datasets::joined(method.parameters));
+}
+
+}  // namespace experiments

@@ -1,0 +1,34 @@
+#include "experiments/pictures/cluster_colours.h"
+
+#include <algorithm>
+
+#include "experiments/metrics/cluster_tracks.h"
+
+namespace experiments {
+
+std::vector<std::size_t> ClusterColours::next(double time,
+                                              const std::vector<ldm::Cluster>& clusters,
+                                              const std::vector<std::int64_t>& tracks) {
+  std::erase_if(
+      seen_, [&](const auto& entry) { return time - entry.second.time > ClusterTracks::kMemory; });
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const auto known = seen_.find(tracks[c]);
+    if (known == seen_.end()) continue;
+    known->second.time = time;
+    known->second.voxels = clusters[c].voxels;
+  }
+  std::vector<std::size_t> colour_of;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const auto known = seen_.try_emplace(tracks[c], time, clusters[c].voxels, rarest()).first;
+    colour_of.push_back(known->second.colour);
+  }
+  return colour_of;
+}
+
+std::size_t ClusterColours::rarest() const {
+  std::vector<std::int64_t> voxels(colours_);
+  for (const auto& [track, seen] : seen_) voxels[seen.colour] += seen.voxels;
+  return static_cast<std::size_t>(std::min_element(voxels.begin(), voxels.end()) - voxels.begin());
+}
+
+}  // namespace experiments

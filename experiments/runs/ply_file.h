@@ -1,0 +1,22 @@
+#pragma once
+/// Voxels as a PLY file, which MeshLab, CloudCompare and PCL open (no paper section).
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "experiments/pictures/picture.h"
+
+namespace experiments {
+
+struct PlyVertex {
+  ldm::Point position;  ///< [m]
+  Colour colour;
+  float occupancy = 0;     ///< P(Occ)
+  std::int32_t track = 0;  ///< of the voxel's cluster; 0 in none
+};
+
+/// Little-endian binary PLY with the properties x, y, z, red, green, blue, occupancy, track.
+/// @throws std::runtime_error if the file cannot be written.
+void write_ply(const std::vector<PlyVertex>& vertices, const std::filesystem::path& file);
+
+}  // namespace experiments

@@ -1,0 +1,125 @@
+#include "experiments/runs/run.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "datasets/files/partial_file.h"
+#include "experiments/method/evaluation.h"
+#include "experiments/metrics/cluster_tracks.h"
+#include "experiments/runs/interruption.h"
+#include "experiments/runs/played_frames.h"
+#include "experiments/runs/progress_line.h"
+#include "experiments/runs/run_summary.h"
+#include "experiments/runs/run_tables.h"
+
+namespace experiments {
+namespace {
+
+std::string progress_detail(const ldm::LocalMap& map, const Lateness& late) {
+  std::string text = std::to_string(map.clusters.size()) + " clusters, " +
+                     std::to_string(map.dynamic_clusters()) + " dynamic";
+  if (late.frames > 0) text += ", " + std::to_string(late.frames) + " frames late";
+  return text;
+}
+
+std::optional<std::int64_t> expected_frames(const datasets::FrameSource& source,
+                                            std::optional<std::int64_t> limit) {
+  const std::optional<std::int64_t> size = source.size();
+  return size && limit ? std::min(*size, *limit) : (size ? size : limit);
+}
+
+/// The tables of a run: together, or none.
+class RunTables {
+ public:
+  explicit RunTables(const std::filesystem::path& folder)
+      : clusters_(folder / "clusters.csv"),
+        frames_(folder / "frames.csv"),
+        timing_(folder / "timing.csv"),
+        summary_(folder / "summary.json") {
+    clusters_.stream() << kClusterColumns << '\n';
+    frames_.stream() << kFrameColumns << '\n';
+  }
+
+  void add(const datasets::Frame& frame, const ldm::LocalMap& map,
+           const std::vector<std::int64_t>& tracks) {
+    write_clusters(frame, map, tracks, clusters_.stream());
+    write_frame(frame, map, frames_.stream());
+    numbers_.push_back(frame.index);
+  }
+
+  void finish(const RunSummary& summary) {
+    write_timing(numbers_, summary.evaluation.clock, timing_.stream());
+    summary_.stream() << to_json(summary, provenance());
+    for (datasets::PartialFile* file : {&clusters_, &frames_, &timing_, &summary_}) file->commit();
+  }
+
+ private:
+  datasets::PartialFile clusters_, frames_, timing_, summary_;
+  std::vector<std::int64_t> numbers_;  // of the frames: a recording may have gaps
+};
+
+/// Before the first frame.
+RunSummary summary_of(const RunRequest& request, const Method& method, const DataFolders& folders) {
+  return {.command = request.command,
+          .request = request,
+          .parameters = parameters_of(request, method, folders),
+          .input_parameters = input_parameters_of(request, folders),
+          .input_counts = {},
+          .plugin = plugin_of(method),
+          .real_time = {},
+          .interrupted = false,
+          .evaluation = {}};
+}
+
+/// What the user should know without looking into the files.
+void report(const RunSummary& summary) {
+  if (summary.input_counts.skipped() > 0) {
+    std::fprintf(stderr, "ldm: %s\n", summary.input_counts.skipped_text().c_str());
+  }
+  if (summary.real_time) {
+    const auto& [rate, late] = *summary.real_time;
+    std::printf("played at %g times the log's speed: %lld frames came late, the worst by %.3f s\n",
+                rate, static_cast<long long>(late.frames), late.worst);
+  }
+  if (summary.interrupted) {
+    throw std::runtime_error("interrupted after " + std::to_string(summary.evaluation.frames) +
+                             " frames, which are written");
+  }
+}
+
+}  // namespace
+
+void run(const RunRequest& request, const DataFolders& folders) {
+  const Method& method = find_method(request.method);
+  RunSummary summary = summary_of(request, method, folders);
+  SavedMaps maps(request.save, request.output / "maps");
+  const std::unique_ptr<datasets::FrameSource> source =
+      open_input(request, folders, request.frames);
+  const Interruption interruption;  // before there is anything that Ctrl-C could lose
+  datasets::make_folder(request.output);
+  RunTables tables(request.output);
+
+  PlayedFrames frames(*source, request.rate, [&] { return interruption.requested(); });
+  ClusterTracks tracks;
+  std::int64_t done = 0;
+  {
+    ProgressLine progress(expected_frames(*source, request.frames));
+    const auto observe = [&](const datasets::Frame& frame, const ldm::LocalMap& map) {
+      const std::vector<std::int64_t> ids = tracks.next(frame.scan.time, map.clusters);
+      tables.add(frame, map, ids);
+      maps.add(frame, map, ids);
+      progress.show(++done, progress_detail(map, frames.lateness()));
+    };
+    summary.evaluation = evaluate(method, summary.parameters, frames,
+                                  {.frames = request.frames, .series = false, .observer = observe});
+  }
+  summary.input_counts = source->counts();
+  summary.interrupted = interruption.requested();
+  if (request.rate) summary.real_time = {*request.rate, frames.lateness()};
+  tables.finish(summary);
+  report(summary);
+  maps.check_complete();
+}
+
+}  // namespace experiments

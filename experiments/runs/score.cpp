@@ -1,0 +1,75 @@
+#include "experiments/runs/score.h"
+
+#include <cstdio>
+
+#include "datasets/files/partial_file.h"
+#include "experiments/runs/score_json.h"
+#include "experiments/runs/truth_table.h"
+
+namespace experiments {
+namespace {
+
+constexpr char kScoreColumns[] =
+    "id,dynamic,frames,matched,position_error_m,velocity_error_mps,tracks,switches\n";
+
+std::string number(const Mean& mean, const char* format, const char* nothing) {
+  if (!mean.value()) return nothing;
+  char text[32];
+  std::snprintf(text, sizeof text, format, *mean.value());
+  return text;
+}
+
+void print_row(const std::string& name, const std::string& kind, const ObjectScore& score,
+               std::ostream& out) {
+  const double share =
+      100.0 * static_cast<double>(score.matched()) / static_cast<double>(score.frames);
+  char line[160];
+  std::snprintf(line, sizeof line, "%-10s %-8s %8lld %9.1f %%  %10s  %12s %7lld %9lld\n",
+                name.c_str(), kind.c_str(), static_cast<long long>(score.frames), share,
+                number(score.position_error, "%.3f", "-").c_str(),
+                number(score.velocity_error, "%.3f", "-").c_str(),
+                static_cast<long long>(score.tracks), static_cast<long long>(score.switches));
+  out << line;
+}
+
+void print_sum(const std::string& kind, const ObjectScore& score, std::ostream& out) {
+  if (score.frames > 0) print_row("all " + std::to_string(score.objects), kind, score, out);
+}
+
+void print(const TruthScore& score, std::ostream& out) {
+  out << "object     kind       frames   detected  position/m  velocity/mps  tracks  switches\n";
+  for (const auto& [id, object] : score.objects) {
+    print_row(std::to_string(id), object.dynamic ? "dynamic" : "static", object.score, out);
+  }
+  print_sum("dynamic", score.of_dynamic, out);
+  print_sum("static", score.of_static, out);
+  out << "dynamic clusters: " << score.dynamic_without_object << " without an object, "
+      << score.dynamic_on_static << " on static ones, in " << score.frames << " frames";
+  if (score.not_run > 0) out << "; " << score.not_run << " more of the truth are not in the run";
+  out << '\n';
+}
+
+void write_csv(const TruthScore& score, std::ostream& out) {
+  out << kScoreColumns;
+  for (const auto& [id, object] : score.objects) {
+    const ObjectScore& s = object.score;
+    out << id << ',' << (object.dynamic ? 1 : 0) << ',' << s.frames << ',' << s.matched() << ','
+        << number(s.position_error, "%.6g", "") << ',' << number(s.velocity_error, "%.6g", "")
+        << ',' << s.tracks << ',' << s.switches << '\n';
+  }
+}
+
+}  // namespace
+
+void score_run(const ScoreRequest& request, std::ostream& out) {
+  const auto run = read_run_frames(request.run);
+  const TruthScore score = experiments::score(run, read_truth_table(request.truth), request.gate);
+  datasets::PartialFile csv(request.run / "score.csv"), json(request.run / "score.json");
+  write_csv(score, csv.stream());
+  json.stream() << to_json(score, request.truth.string(), request.gate);
+  csv.commit();
+  json.commit();
+  print(score, out);
+}
+
+}  // namespace experiments

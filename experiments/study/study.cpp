@@ -1,0 +1,247 @@
+#include "experiments/study/study.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <set>
+
+#include "experiments/study/seeds.h"
+
+namespace experiments {
+namespace {
+
+using datasets::TomlTable;
+
+constexpr datasets::Integers kSeeds{.min = 1, .max = 100000};
+constexpr datasets::Integers kFrames{.min = 1, .max = 1000000};
+
+/// Names become parts of ids and of file names; dots part them.
+void check_name(const std::string& place, const std::string& name) {
+  const bool good = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  if (!good) {
+    throw ldm::InvalidInput(place + ": name \"" + name + "\": allowed: letters, digits, _ and -");
+  }
+}
+
+void add_entrant(Study& study, const std::string& place, Entrant entrant) {
+  check_name(place, entrant.name);
+  for (const Entrant& other : study.entrants) {
+    if (other.name == entrant.name) {
+      throw ldm::InvalidInput(place + ": " + entrant.name +
+                              " comes twice: allowed: each method and variant once");
+    }
+  }
+  study.entrants.push_back(std::move(entrant));
+}
+
+/// `find_method` with the place of the name in front of its message.
+const Method& method_at(const std::string& place, const std::string& name) {
+  try {
+    return find_method(name);
+  } catch (const ldm::InvalidInput& error) {
+    throw ldm::InvalidInput(place + ": " + error.what());
+  }
+}
+
+void read_entrants(const TomlTable& file, Study& study) {
+  if (file.has("methods")) {
+    const std::string place = file.place("methods");
+    for (const std::string& name : file.texts("methods", {.min = 1})) {
+      add_entrant(study, place, {name, &method_at(place, name), {}});
+    }
+  }
+  for (const TomlTable& variant : file.tables("variant")) {
+    Entrant entrant;
+    entrant.name = variant.text("name");
+    entrant.method = &method_at(variant.place("method"), variant.text("method"));
+    entrant.settings = settings_of(variant.table("set"));
+    add_entrant(study, variant.place("name"), std::move(entrant));
+  }
+  if (study.entrants.empty()) {
+    throw ldm::InvalidInput(file.place() +
+                            ": methods: allowed: at least one method or [[variant]]");
+  }
+}
+
+void replace_entrants(const std::vector<std::string>& methods, Study& study) {
+  study.entrants.clear();
+  for (const std::string& name : methods) {
+    add_entrant(study, "--method", {name, &method_at("--method", name), {}});
+  }
+}
+
+void read_scenarios(const TomlTable& file, const DataFolder& folder, Study& study) {
+  const std::string place = file.place("scenarios");
+  for (const std::string& name : file.texts("scenarios", {.min = 1})) {
+    try {
+      study.scenarios.push_back(datasets::read_scenario(folder.file(name)));
+    } catch (const ldm::InvalidInput& error) {
+      throw ldm::InvalidInput(place + ": " + error.what());
+    }
+    const std::string& added = study.scenarios.back().name;
+    check_name(place, added);
+    const auto same = [&](const datasets::Scenario& s) { return s.name == added; };
+    if (std::count_if(study.scenarios.begin(), study.scenarios.end(), same) > 1) {
+      throw ldm::InvalidInput(place + ": " + added + " comes twice: allowed: each scenario once");
+    }
+  }
+}
+
+void apply_to_scenario(const Setting& setting, datasets::Scenario& scenario) {
+  try {
+    datasets::set_scenario_value(scenario, scenario_key(setting), setting.value);
+  } catch (const ldm::InvalidInput& error) {
+    throw ldm::InvalidInput(setting.place + ": scenario: " + error.what());
+  }
+}
+
+/// A value for all trials must mean something to one of their methods at least.
+void check_for_all(const Study& study, const Setting& setting) {
+  if (setting.name == "execution.seed") {
+    refuse(setting, "no value: the seed follows from study, point, replicate and method");
+  }
+  ldm::Parameters scratch;
+  apply(setting, scratch);
+  const bool used =
+      std::any_of(study.entrants.begin(), study.entrants.end(),
+                  [&](const Entrant& entrant) { return uses(*entrant.method, setting.name); });
+  if (!used) refuse(setting, "parameters that a method of the study uses");
+}
+
+void read_set(const TomlTable& file, Study& study) {
+  if (!file.has("set")) return;
+  for (const Setting& setting : settings_of(file.table("set"))) {
+    if (scenario_key(setting).empty()) {
+      check_for_all(study, setting);
+      study.settings.push_back(setting);
+    } else {
+      for (datasets::Scenario& scenario : study.scenarios) apply_to_scenario(setting, scenario);
+    }
+  }
+}
+
+void read_sweep(const TomlTable& file, Study& study) {
+  study.points = {Point{}};
+  if (!file.has("sweep")) return;
+  study.points = read_points(file.table("sweep"));
+  // Each value once: points repeat them.
+  std::set<std::string> checked;
+  for (const Point& point : study.points) {
+    for (const Setting& setting : point) {
+      const bool is_new = checked.insert(describe({setting})).second;
+      if (is_new && scenario_key(setting).empty()) check_for_all(study, setting);
+    }
+  }
+}
+
+void check_frames(const Study& study, const datasets::Scenario& scenario) {
+  if (study.frames <= scenario.frames) return;
+  throw ldm::InvalidInput("study " + study.name + ": frames = " + std::to_string(study.frames) +
+                          ": allowed: at most the " + std::to_string(scenario.frames) + " of " +
+                          scenario.name);
+}
+
+/// Every scenario of every point, and every variant, can be made.
+void check_trials(const Study& study) {
+  for (const Entrant& entrant : study.entrants) {
+    ldm::Parameters scratch = default_parameters(*entrant.method);
+    for (const Setting& setting : entrant.settings) {
+      if (setting.name == "execution.seed") check_for_all(study, setting);
+      apply(setting, *entrant.method, scratch);
+    }
+  }
+  for (std::size_t scenario = 0; scenario < study.scenarios.size(); ++scenario) {
+    for (std::size_t point = 0; point < study.points.size(); ++point) {
+      check_frames(study,
+                   trial_scenario(study, {.scenario = scenario, .entrant = 0, .point = point}));
+    }
+  }
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& path, const DataFolder& scenarios,
+                 const StudyOptions& options) {
+  const TomlTable file = TomlTable::open(path);
+  Study study;
+  study.name = path.stem().string();
+  check_name(path.string(), study.name);
+  study.title = file.text("title");
+  study.seeds = file.integer("seeds", kSeeds);
+  study.frames = file.integer("frames", kFrames);
+  study.series = file.boolean("series", false);
+  if (options.seeds) study.seeds = *options.seeds;
+  if (options.frames) study.frames = *options.frames;
+  read_entrants(file, study);
+  read_scenarios(file, scenarios, study);
+  read_set(file, study);
+  read_sweep(file, study);
+  file.reject_unknown_keys();
+  // Only now: a swept parameter may mean nothing to a method that is held against the study's.
+  if (!options.methods.empty()) replace_entrants(options.methods, study);
+  check_trials(study);
+  return study;
+}
+
+std::vector<Trial> trials(const Study& study) {
+  std::vector<Trial> all;
+  all.reserve(study.trial_count());
+  for (std::int64_t replicate = 1; replicate <= study.seeds; ++replicate) {
+    for (std::size_t scenario = 0; scenario < study.scenarios.size(); ++scenario) {
+      for (std::size_t point = 0; point < study.points.size(); ++point) {
+        for (std::size_t entrant = 0; entrant < study.entrants.size(); ++entrant) {
+          all.push_back({scenario, entrant, point, replicate});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+std::string trial_id(const Study& study, const Trial& trial) {
+  char number[32];
+  std::string id = study.scenarios[trial.scenario].name + "." + study.entrants[trial.entrant].name;
+  if (study.swept()) {
+    std::snprintf(number, sizeof number, ".p%02zu", trial.point + 1);
+    id += number;
+  }
+  std::snprintf(number, sizeof number, ".s%03lld", static_cast<long long>(trial.replicate));
+  return id + number;
+}
+
+Trial find_trial(const Study& study, std::string_view id) {
+  const std::vector<Trial> all = trials(study);
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Trial& trial) { return trial_id(study, trial) == id; });
+  if (found == all.end()) {
+    throw ldm::InvalidInput("study " + study.name + " has no trial " + std::string(id) +
+                            ": allowed: an id that `ldm trials " + study.name + "` lists");
+  }
+  return *found;
+}
+
+ldm::Parameters trial_parameters(const Study& study, const Trial& trial) {
+  const Entrant& entrant = study.entrants[trial.entrant];
+  const Point& point = study.points[trial.point];
+  ldm::Parameters parameters = default_parameters(*entrant.method);
+  for (const Settings* settings : {&study.settings, &entrant.settings, &point}) {
+    for (const Setting& setting : *settings) {
+      if (scenario_key(setting).empty()) apply(setting, parameters);
+    }
+  }
+  parameters.execution.seed =
+      filter_seed(study.name, describe(point), trial.replicate, entrant.name);
+  return parameters;
+}
+
+datasets::Scenario trial_scenario(const Study& study, const Trial& trial) {
+  datasets::Scenario scenario = study.scenarios[trial.scenario];
+  for (const Setting& setting : study.points[trial.point]) {
+    if (!scenario_key(setting).empty()) apply_to_scenario(setting, scenario);
+  }
+  return scenario;
+}
+
+}  // namespace experiments

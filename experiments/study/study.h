@@ -1,0 +1,89 @@
+#pragma once
+/// Studies as data: a TOML file, and the trials it stands for (no paper section).
+///
+///     title = "Table 1: occupancy accuracy"
+///     scenarios = ["scenario1", "scenario2"]
+///     methods = ["ldm", "circular_buffer"]
+///     seeds = 10               # replicates 1 to 10
+///     frames = 1200
+///     series = true            # keep the velocity series (default false)
+///     [set]                    # for all trials: parameters, or `scenario.` values
+///     "particles.count" = 100000
+///     [sweep]                  # see sweep.h
+///     [[variant]]              # a method with parameters of its own, under its own name
+///     name = "no_survival"
+///     method = "ldm"
+///     set = {"survival.enabled" = false}
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/scenario/scenario.h"
+#include "experiments/method/data_folders.h"
+#include "experiments/method/methods.h"
+#include "experiments/study/sweep.h"
+
+namespace experiments {
+
+/// A method of the table, or a variant of one.
+struct Entrant {
+  std::string name;
+  const Method* method = nullptr;
+  Settings settings;  ///< the variant's own
+};
+
+struct Study {
+  std::string name;  ///< stem of its file
+  std::string title;
+  std::vector<datasets::Scenario> scenarios;  ///< with the values of `[set]`
+  std::vector<Entrant> entrants;              ///< methods, then variants
+  Settings settings;                          ///< parameters of `[set]`
+  std::vector<Point> points;                  ///< one empty point without a sweep
+  std::int64_t seeds = 0;
+  std::int64_t frames = 0;
+  bool series = false;
+
+  bool swept() const { return !points.front().empty(); }
+  std::size_t trial_count() const {
+    return scenarios.size() * entrants.size() * points.size() * static_cast<std::size_t>(seeds);
+  }
+};
+
+/// What a command line may change of a study.
+struct StudyOptions {
+  std::optional<std::int64_t> seeds;
+  std::optional<std::int64_t> frames;
+  std::vector<std::string> methods = {};  ///< instead of the study's methods and variants
+};
+
+/// Reads and checks all of it: every value of every point fits every scenario and method.
+/// @throws ldm::InvalidInput with file, line, key, value and what is allowed.
+Study read_study(const std::filesystem::path& file, const DataFolder& scenarios,
+                 const StudyOptions& options = {});
+
+/// Positions in the lists of the study, and the replicate from 1.
+struct Trial {
+  std::size_t scenario = 0, entrant = 0, point = 0;
+  std::int64_t replicate = 1;
+};
+
+/// All trials, replicate by replicate: a study cut short has all methods on fewer seeds.
+std::vector<Trial> trials(const Study& study);
+
+/// `scenario1.ldm.s001`; with a sweep `scenario1.ldm.p02.s001`.
+std::string trial_id(const Study& study, const Trial& trial);
+
+/// @throws ldm::InvalidInput if the study has no such trial.
+Trial find_trial(const Study& study, std::string_view id);
+
+/// Complete parameters: defaults, the method's, `[set]`, the variant's, the point's; later wins.
+/// `execution.seed` is the trial's filter seed.
+ldm::Parameters trial_parameters(const Study& study, const Trial& trial);
+
+/// The scenario at the trial's point.
+datasets::Scenario trial_scenario(const Study& study, const Trial& trial);
+
+}  // namespace experiments

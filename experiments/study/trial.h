@@ -1,0 +1,31 @@
+#pragma once
+/// One trial of a study, from its id to its record (experiments/RECORD.md).
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/study/study.h"
+#include "experiments/study/trial_record.h"
+
+namespace experiments {
+
+struct TrialRequest {
+  std::string study;  ///< name, or its .toml file
+  std::string id;
+  StudyOptions options;
+  bool serial = false;                    ///< the caller runs nothing beside it: the timing counts
+  std::optional<std::string> data_dir;    ///< as given on the command line
+  std::vector<std::string> plugins = {};  ///< loaded ones, as given on the command line
+};
+
+/// Runs the trial. A failure inside of it (simulation, method) is in the record's `error`.
+/// @throws ldm::InvalidInput on a bad study, id or parameter: there is then no record.
+TrialRecord run_trial(const TrialRequest& request);
+
+/// Writes the record, under its final name only when it is complete.
+/// @throws ldm::InvalidInput if the folder cannot be written, std::runtime_error if the disk is
+/// full.
+void write_record(const TrialRecord& record, const std::filesystem::path& file);
+
+}  // namespace experiments

@@ -1,0 +1,77 @@
+#include "experiments/study/trial_record.h"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "experiments/method/result_json.h"
+
+namespace experiments {
+namespace {
+
+/// A number or `true` where the text is one, else the text.
+Json typed(const std::string& text) {
+  if (text == "true" || text == "false") return text == "true";
+  std::int64_t whole = 0;
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, whole).ptr == end) return whole;
+  if (std::from_chars(text.data(), end, number).ptr == end) return number;
+  return text;
+}
+
+/// To 0.01 mm/s: a tenth of the digits, and far below what any estimate means.
+Json rounded(const Eigen::Vector3d& v) {
+  Json json = Json::array();
+  for (const double x : v) json.push_back(std::round(x * 1e5) / 1e5);
+  return json;
+}
+
+Json series_json(const std::vector<VelocitySeries>& all) {
+  Json json = Json::array();
+  for (const VelocitySeries& series : all) {
+    Json truth = Json::array(), estimate = Json::array(), track = Json::array();
+    for (const auto& v : series.true_velocity) truth.push_back(rounded(v));
+    for (const auto& v : series.velocity) estimate.push_back(v ? rounded(*v) : Json(nullptr));
+    for (const auto& id : series.track) track.push_back(id ? Json(*id) : Json(nullptr));
+    json.push_back({{"object", series.object},
+                    {"dynamic", series.dynamic},
+                    {"frame", series.frame},
+                    {"time_s", series.time},
+                    {"true_velocity_mps", std::move(truth)},
+                    {"velocity_mps", std::move(estimate)},
+                    {"visible", series.visible},
+                    {"track", std::move(track)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const TrialRecord& record, const Provenance& provenance) {
+  Json point = Json::object();
+  for (const Setting& setting : record.point) point[setting.name] = typed(setting.value);
+
+  Json json = {{"schema", 1}, {"status", record.error ? "failed" : "ok"}};
+  if (record.error) json["error"] = *record.error;
+  json["command"] = record.command;
+  json["study"] = record.study;
+  json["id"] = record.id;
+  json["scenario"] = record.scenario;
+  json["method"] = record.method;
+  json["replicate"] = record.replicate;
+  json["point"] = std::move(point);
+  json["seeds"] = {{"scenario", std::to_string(record.scenario_seed)},
+                   {"filter", std::to_string(record.filter_seed)}};
+  json["frames"] = record.frames;
+  json["parameters"] = parameters_json(record.parameters);
+  json["scenario_file_hash"] = record.scenario_file_hash;
+  json["provenance"] = provenance_json(provenance, record.plugin);
+  if (record.error) return dump(json);
+  json["scores"] = scores_json(record.evaluation.tallies.value());
+  json["series"] = series_json(record.evaluation.series);
+  json["timing"] = timing_json(record.evaluation.clock, record.serial);
+  return dump(json);
+}
+
+}  // namespace experiments

@@ -1,0 +1,118 @@
+/// What of a recorded scan is left out, and counted.
+#include "datasets/recording/filter/scan_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/datasets/files/text_file.h"
+
+namespace datasets {
+namespace {
+
+/// One frame, once.
+class OneScan : public FrameSource {
+ public:
+  explicit OneScan(ldm::Scan scan) : scan_(std::move(scan)) {}
+  bool next(Frame& frame) override {
+    frame.scan = scan_;
+    return !std::exchange(given_, true);
+  }
+  std::optional<std::int64_t> size() const override { return 1; }
+
+ private:
+  ldm::Scan scan_;
+  bool given_ = false;
+};
+
+struct Filtered {
+  ldm::Scan scan;
+  InputCounts counts;
+};
+
+Filtered filtered(const ldm::Scan& scan, const InputParameters& parameters) {
+  ScanFilter filter(std::make_unique<OneScan>(scan), parameters);
+  Frame frame;
+  EXPECT_TRUE(filter.next(frame));
+  const Filtered result{frame.scan, filter.counts()};
+  EXPECT_FALSE(filter.next(frame));
+  EXPECT_EQ(filter.size(), 1);
+  return result;
+}
+
+TEST(ScanFilter, RangesAndNonFinitePoints) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  ldm::Scan scan;
+  scan.points = {{0, 0, 0},    {0, 0.4F, 0}, {3, 0, 4},  {0, 0, 5.1F},
+                 {kNan, 1, 1}, {1, kInf, 1}, {-2, 0, 0}, {1e30F, 0, 0}};
+  InputParameters parameters;
+  parameters.max_range = 5;
+  const Filtered result = filtered(scan, parameters);
+  EXPECT_EQ(result.scan.points, (std::vector<ldm::Point>{{3, 0, 4}, {-2, 0, 0}}));
+  EXPECT_EQ(result.counts.points_dropped,
+            (InputCounts::ByReason{{"not finite", 2},
+                                   {"nearer than input.min_range_m", 2},
+                                   {"farther than input.max_range_m", 2}}));
+}
+
+TEST(ScanFilter, TheVehiclesBoxIsInItsFrame) {
+  ldm::Scan scan;
+  scan.T_world_uav.translation << 100, 0, 0;
+  scan.T_world_sensor.translation << 101, 0, 2;  // 1 m before and 2 m above the vehicle's origin
+  scan.T_world_sensor.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // looks to its left
+  scan.points = {{0.6F, 0, -1}, {2, 0, -1}, {0.6F, 0, 1}};
+  InputParameters parameters;
+  parameters.body = {0, 2, -1, 1, 0, 1.5};
+  const Filtered result = filtered(scan, parameters);
+  EXPECT_EQ(result.scan.points, (std::vector<ldm::Point>{{2, 0, -1}, {0.6F, 0, 1}}));
+  EXPECT_EQ(result.counts.points_dropped, (InputCounts::ByReason{{"on the vehicle", 1}}));
+  parameters.body.z_max = 0;  // no box
+  EXPECT_EQ(filtered(scan, parameters).scan.points.size(), 3u);
+}
+
+TEST(ScanFilter, GroundRaysStayAsRaysWithoutReturn) {
+  ldm::Scan scan;
+  for (int i = 0; i < 400; ++i) {
+    scan.points.emplace_back(static_cast<float>(i % 20) - 9.5F, static_cast<float>(i / 20) - 9.5F,
+                             -1.5F);
+    scan.points.push_back(scan.points.back() + ldm::Point(0.1F, 0, 0));
+    scan.points.push_back(scan.points.back() + ldm::Point(0, 0.1F, 0));
+  }
+  scan.points.emplace_back(5, 0, 0);
+  InputParameters parameters;
+  parameters.ground.removal = GroundRemoval::kPlane;
+  const Filtered free = filtered(scan, parameters);
+  EXPECT_EQ(free.scan.points, (std::vector<ldm::Point>{{5, 0, 0}}));
+  ASSERT_EQ(free.scan.no_returns.size(), 1200u);
+  EXPECT_TRUE(free.scan.no_returns[0].isApprox(scan.points[0].normalized()));
+  EXPECT_EQ(free.counts.points_dropped, (InputCounts::ByReason{{"on the ground", 1200}}));
+  parameters.ground.rays = GroundRays::kDrop;
+  EXPECT_TRUE(filtered(scan, parameters).scan.no_returns.empty());
+}
+
+TEST(ScanFilter, AFrameWithoutGroundIsCountedAndStaysWhole) {
+  ldm::Scan scan;
+  scan.points = {{5, 0, 0}, {5, 1, 0}};
+  InputParameters parameters;
+  parameters.ground.removal = GroundRemoval::kGrid;
+  const Filtered result = filtered(scan, parameters);
+  EXPECT_EQ(result.scan.points.size(), 2u);
+  EXPECT_EQ(result.counts.other,
+            (InputCounts::ByReason{{"frames in which no ground was found", 1}}));
+}
+
+TEST(ScanFilter, BoundsThatCross) {
+  InputParameters parameters;
+  parameters.min_range = 6;
+  parameters.max_range = 5;
+  EXPECT_EQ(message_of<ldm::InvalidInput>([&] { filtered({}, parameters); }),
+            "input.min_range_m = 6: allowed: at most input.max_range_m = 5");
+  parameters.max_range = 7;
+  parameters.body.y_min = 1;
+  EXPECT_NE(message_of<ldm::InvalidInput>([&] { filtered({}, parameters); }).find("body.y_min_m"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace datasets

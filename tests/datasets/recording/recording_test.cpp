@@ -1,0 +1,80 @@
+/// Recordings: the format is recognised, and logs of our own are taken as they are.
+#include "datasets/recording/recording.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/datasets/rawlog/rawlog_recording.h"
+#include "tests/datasets/recording/recording_folder.h"
+
+namespace datasets {
+namespace {
+
+class Recordings : public RecordingFolder {};
+
+TEST_F(Recordings, TheFormatIsRecognised) {
+  EXPECT_EQ(recognised_format(folder_), std::nullopt);
+  EXPECT_EQ(recognised_format(folder_ / "missing"), std::nullopt);
+  write("a/velodyne/000000.bin", "");
+  EXPECT_EQ(recognised_format(folder_ / "a"), RecordingFormat::kKitti);
+  write("b/1.pcd", "");
+  EXPECT_EQ(recognised_format(folder_ / "b"), RecordingFormat::kPcd);
+  const fs::path log = write("c.rawlog", "");
+  EXPECT_EQ(recognised_format(log), RecordingFormat::kMrptRawlog);
+  write("c.log.toml", "");
+  EXPECT_EQ(recognised_format(log), RecordingFormat::kLdmRawlog);
+  EXPECT_EQ(recognised_format(write("d.bag", "")), std::nullopt);
+}
+
+TEST_F(Recordings, WhatIsNoRecordingIsRefused) {
+  EXPECT_NE(failure().find(folder_.string() + ": no recording: allowed: a KITTI folder"),
+            std::string::npos);
+  folder_ /= "missing";
+  EXPECT_EQ(failure(), folder_.string() + ": cannot be read: no such file");
+  folder_ = folder_.parent_path();
+}
+
+TEST_F(Recordings, AFormatMayBeGiven) {
+  write_drive(1);
+  write("1.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nDATA ascii\n7 8 9\n");
+  EXPECT_EQ(frames().at(0).scan.points.at(0), ldm::Point(10, 1, 2));
+  options_.format = RecordingFormat::kPcd;
+  EXPECT_EQ(frames().at(0).scan.points.at(0), ldm::Point(7, 8, 9));
+}
+
+class OwnLog : public Rawlog {
+ protected:
+  std::size_t read(RecordingOptions options, InputCounts& counts) {
+    std::size_t count = 0;
+    const auto source = open_recording(rawlog(), options);
+    for (Frame frame; source->next(frame); ++count) {
+    }
+    counts = source->counts();
+    return count;
+  }
+};
+
+TEST_F(OwnLog, IsTakenAsItIs) {
+  RecordingOptions options;
+  options.input.max_range = 1;
+  InputCounts counts;
+  EXPECT_EQ(read(options, counts), 5u);
+  EXPECT_TRUE(counts.points_dropped.empty());
+  Frame frame;
+  open_recording(rawlog(), options)->next(frame);
+  EXPECT_EQ(frame.scan.points, recording_.frames[0].scan.points);
+  EXPECT_TRUE(frame.truth);
+}
+
+TEST_F(OwnLog, EndsAtDamageIfToldToKeepGoing) {
+  fs::resize_file(rawlog(), fs::file_size(rawlog()) / 2);
+  RecordingOptions options;
+  InputCounts counts;
+  EXPECT_THROW(read(options, counts), ldm::InvalidInput);
+  options.keep_going = true;
+  const std::size_t frames = read(options, counts);
+  EXPECT_LT(frames, 5u);
+  EXPECT_EQ(counts.skipped(), 5 - static_cast<std::int64_t>(frames));
+}
+
+}  // namespace
+}  // namespace datasets

@@ -1,0 +1,78 @@
+#include "experiments/runs/truth_table.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/experiments/temporary_folder.h"
+
+namespace experiments {
+namespace {
+
+constexpr char kHeader[] = "frame,id,x,y,z,vx,vy,vz,size\n";
+
+class TruthTableTest : public testing::Test {
+ protected:
+  TruthTable read(const std::string& text) {
+    return read_truth_table(folder_.write("truth.csv", text));
+  }
+  void expect_bad(const std::string& text, const std::string& part) {
+    const std::string message = message_of([&] { read(text); });
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TruthTableTest, TakesColumnsInAnyOrderWithOrWithoutUnits) {
+  const TruthTable short_names = read(std::string(kHeader) + "3,7,1,2,3,0.5,0,-0.5,0.4\n");
+  const TruthTable long_names = read(
+      "colour,vx_mps,vy_mps,vz_mps,id,frame,x_m,y_m,z_m,sx_m,sy_m,sz_m\r\n"
+      "red,0.5,0,-0.5,7,3,1,2,3,0.4,0.4,0.4\r\n");
+  for (const TruthTable& table : {short_names, long_names}) {
+    ASSERT_EQ(table.size(), 1u);
+    const TruthFrame& frame = table.at(3);
+    EXPECT_FALSE(frame.time);
+    ASSERT_EQ(frame.objects.size(), 1u);
+    EXPECT_EQ(frame.objects[0].id, 7);
+    EXPECT_EQ(frame.objects[0].position, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(frame.objects[0].velocity, Eigen::Vector3d(0.5, 0, -0.5));
+    EXPECT_EQ(frame.objects[0].size, Eigen::Vector3d(0.4, 0.4, 0.4));
+  }
+}
+
+TEST_F(TruthTableTest, WhatMovesAtSomeTimeIsDynamic) {
+  const TruthTable table =
+      read(std::string(kHeader) + "0,1,0,0,0,0,0,0,1\n0,2,5,0,0,0,0,0,1\n1,1,0,0,0,0,1,0,1\n");
+  EXPECT_TRUE(table.at(0).objects[0].dynamic);
+  EXPECT_FALSE(table.at(0).objects[1].dynamic);
+  EXPECT_TRUE(table.at(1).objects[0].dynamic);
+}
+
+TEST_F(TruthTableTest, ItsOwnColumnSaysWhatIsDynamic) {
+  const TruthTable table = read(
+      "frame,time_s,id,dynamic,x,y,z,vx,vy,vz,size\n"
+      "0,0.5,1,1,0,0,0,0,0,0,1\n");
+  EXPECT_TRUE(table.at(0).objects[0].dynamic);
+  EXPECT_EQ(table.at(0).time, 0.5);
+}
+
+TEST_F(TruthTableTest, RefusesBadTables) {
+  expect_bad("", "truth.csv:1: the file is empty");
+  expect_bad("frame,id,x,y,z,vy,vz,size\n",
+             "truth.csv:1: no column vx: allowed: a column named vx");
+  expect_bad("frame,id,x,y,z,vx,vy,vz,sx,sy\n", "no column sz: allowed: a column named sz");
+  expect_bad(std::string(kHeader) + "0,1,0,0,0,fast,0,0,1\n",
+             "truth.csv:2: vx = fast: allowed: a finite number");
+  expect_bad(std::string(kHeader) + "0,1,0,0,0,nan,0,0,1\n", "vx = nan");
+  expect_bad(std::string(kHeader) + "-1,1,0,0,0,0,0,0,1\n", "truth.csv:2: frame = -1");
+  expect_bad(std::string(kHeader) + "0,1,0,0,0,0,0,0,-1\n", "truth.csv:2: a negative size");
+  expect_bad(std::string(kHeader) + "0,1,0,0,0,0,0,0,1\n0,1,0,0,0,0,0,0,1\n",
+             "truth.csv:3: object 1 a second time in frame 0");
+  expect_bad(std::string(kHeader) + "0,1,0,0,0,0,0,0\n", "truth.csv:2: 8 values, allowed: 9");
+  expect_bad(std::string(kHeader) + "0,1,0,0,0,0,0,0,1",
+             "truth.csv:2: the file ends in the middle");
+  EXPECT_NE(message_of([] { read_truth_table("/none.csv"); }).find("/none.csv: cannot be read"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace experiments

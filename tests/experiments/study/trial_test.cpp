@@ -1,0 +1,130 @@
+#include "experiments/study/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "experiments/study/seeds.h"
+#include "tests/experiments/temporary_folder.h"
+
+namespace experiments {
+namespace {
+
+const char kTiny[] =
+    "title = \"tiny\"\nscenarios = [\"scenario1\"]\nmethods = [\"ldm\", \"circular_buffer\"]\n"
+    "seeds = 2\nframes = 24\nseries = true\n"
+    "[set]\n\"particles.count\" = 2000\n\"map.voxels\" = 24\n"
+    "[sweep.axes]\n\"map.resolution_m\" = [0.2, 0.3]\n";
+
+class TrialOfATinyStudy : public testing::Test {
+ protected:
+  TrialRequest request(const std::string& id) {
+    return {.study = folder_.write("tiny.toml", kTiny).string(),
+            .id = id,
+            .options = {},
+            .serial = false,
+            .data_dir = {}};
+  }
+  /// The record's text up to its timing.
+  std::string record_text(const TrialRecord& record) {
+    write_record(record, folder_.path() / "record.json");
+    const std::string text = folder_.read("record.json");
+    return text.substr(0, text.find("\n \"timing\""));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TrialOfATinyStudy, RemadeIsTheSameButForTheTiming) {
+  const std::string first = record_text(run_trial(request("scenario1.ldm.p01.s001")));
+  const std::string second = record_text(run_trial(request("scenario1.ldm.p01.s001")));
+  EXPECT_EQ(first, second);
+  EXPECT_NE(first.find("\"status\": \"ok\""), std::string::npos);
+  EXPECT_NE(first.find("\"point\": {\"map.resolution_m\":0.2}"), std::string::npos);
+  EXPECT_NE(first.find("\"map.voxels\":[24,24,24]"), std::string::npos);
+  EXPECT_NE(first.find("\"series\": [{\"object\":"), std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, NeitherSeedsNorSerialChangeIt) {
+  TrialRequest longer = request("scenario1.ldm.p01.s001");
+  longer.options.seeds = 99;
+  longer.serial = true;
+  EXPECT_EQ(record_text(run_trial(longer)),
+            record_text(run_trial(request("scenario1.ldm.p01.s001"))));
+}
+
+TEST_F(TrialOfATinyStudy, SeesTheWorldOfItsReplicateWhateverMethodAndPoint) {
+  const TrialRecord ldm = run_trial(request("scenario1.ldm.p01.s001"));
+  const TrialRecord other = run_trial(request("scenario1.circular_buffer.p02.s001"));
+  const TrialRecord second = run_trial(request("scenario1.ldm.p01.s002"));
+  EXPECT_EQ(ldm.scenario_seed, scenario_seed("scenario1", 1));
+  EXPECT_EQ(ldm.scenario_seed, other.scenario_seed);
+  EXPECT_NE(ldm.scenario_seed, second.scenario_seed);
+  EXPECT_NE(ldm.filter_seed, other.filter_seed);
+  EXPECT_EQ(ldm.parameters.execution.seed, ldm.filter_seed);
+}
+
+TEST_F(TrialOfATinyStudy, TellsTheTracksOfPeopleWhileOneIsHidden) {
+  TrialRequest outdoor = request("outdoor1.ldm.s001");
+  outdoor.study = folder_
+                      .write("people.toml",
+                             "title = \"people\"\nscenarios = [\"outdoor1\"]\n"
+                             "methods = [\"ldm\"]\nseeds = 1\nframes = 150\nseries = true\n"
+                             "[set]\n\"particles.count\" = 20000\n")
+                      .string();
+  const std::vector<VelocitySeries> people = run_trial(outdoor).evaluation.series;
+  ASSERT_EQ(people.size(), 3u);
+  const auto hidden = [&](std::size_t k) {
+    return std::count(people[k].visible.begin(), people[k].visible.end(), false);
+  };
+  EXPECT_EQ(hidden(0), 0);
+  EXPECT_EQ(hidden(1), 0);
+  EXPECT_GE(hidden(2), 2);
+  for (const VelocitySeries& person : people) {
+    EXPECT_EQ(person.track.size(), person.frame.size());
+    EXPECT_EQ(person.track[30].has_value(), person.velocity[30].has_value());
+  }
+  EXPECT_NE(people[1].track[30], people[2].track[30]);
+  const std::string text = record_text(run_trial(outdoor));
+  EXPECT_NE(text.find("\"visible\":[true,"), std::string::npos);
+  EXPECT_EQ(text.find("\"occlusions_kept_pct\":null"), std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, AMethodWithoutClustersHasNoVelocityScores) {
+  const std::string text = record_text(run_trial(request("scenario1.circular_buffer.p01.s001")));
+  EXPECT_NE(text.find("\"dynamic_velocity_error_mps\":null"), std::string::npos);
+  EXPECT_NE(text.find("\"objects_missed_pct\":null"), std::string::npos);
+  EXPECT_NE(text.find("\"clusters_without_object_per_frame\":null"), std::string::npos);
+  EXPECT_NE(text.find("\"tracks_per_stay\":null"), std::string::npos);
+  EXPECT_NE(text.find("\"series\": []"), std::string::npos);
+  EXPECT_EQ(text.find("\"accuracy_pct\":null"), std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, TimesTheFramesAfterTheWarmUp) {
+  TrialRequest serial = request("scenario1.ldm.p01.s001");
+  serial.serial = true;
+  write_record(run_trial(serial), folder_.path() / "record.json");
+  const std::string text = folder_.read("record.json");
+  EXPECT_NE(text.find("\"timing\": {\"serial\":true,\"frames\":14,"), std::string::npos);
+  EXPECT_NE(text.find("\"update_time_samples_ms\":["), std::string::npos);
+  EXPECT_NE(text.find("\"stages_ms\":{\"occupancy_prediction\":{\"median\":"), std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, ThatFailsSaysSoInItsRecord) {
+  TrialRequest crowded = request("scenario1.ldm.s001");
+  crowded.study = folder_
+                      .write("crowded.toml",
+                             "title = \"no room\"\nscenarios = [\"scenario1\"]\n"
+                             "methods = [\"ldm\"]\nseeds = 1\nframes = 5\n"
+                             "[set]\n\"scenario.area.size_m\" = [1, 1]\n")
+                      .string();
+  const TrialRecord record = run_trial(crowded);
+  ASSERT_TRUE(record.error);
+  const std::string text = record_text(record);
+  EXPECT_NE(text.find("\"status\": \"failed\",\n \"error\": \""), std::string::npos);
+  EXPECT_NE(text.find("\"command\": \"ldm trial "), std::string::npos);
+  EXPECT_EQ(text.find("\"scores\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace experiments
