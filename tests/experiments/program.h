@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 
@@ -55,7 +55,7 @@ class Program : public testing::Test {
         .string();
   }
 
-  TemporaryFolder folder_;
+  tests::TemporaryFolder folder_;
 };
 
 }  // namespace experiments

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/experiments/program.h"
+#include "tests/source_folder.h"
 
 namespace experiments {
 namespace {
@@ -154,7 +155,7 @@ TEST_F(Program, ALogHasNoSeed) {
 
 TEST_F(Program, DataFolderFromOptionOrEnvironment) {
   std::filesystem::create_directories(folder_.path() / "data/datasets/scenarios");
-  std::filesystem::copy_file(std::string(LDM_SOURCE_DIR) + "/datasets/scenarios/scenario1.toml",
+  std::filesystem::copy_file(tests::source_folder() / "datasets/scenarios/scenario1.toml",
                              folder_.path() / "data/datasets/scenarios/mine.toml");
   EXPECT_EQ(ldm("--data-dir data scenarios").out.rfind("mine  ", 0), 0u);
   EXPECT_EQ(ldm("scenarios", "LDM_DATA_DIR=data").out.rfind("mine  ", 0), 0u);

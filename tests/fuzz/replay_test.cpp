@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "tests/fuzz/targets.h"
+#include "tests/source_folder.h"
 
 namespace fuzz {
 namespace {
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 TEST(FuzzCorpus, EveryInputReadsOrIsRefused) {
   for (const auto& [name, target] : kTargets) {
-    const fs::path corpus = fs::path(LDM_SOURCE_DIR) / "tests/fuzz/corpus" / name;
+    const fs::path corpus = tests::source_folder() / "tests/fuzz/corpus" / name;
     int inputs = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(corpus)) {
       std::ifstream stream(entry.path(), std::ios::binary);

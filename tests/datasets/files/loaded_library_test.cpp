@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "datasets/recording/formats/pcd_decoder.h"
-#include "tests/datasets/files/text_file.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
 
 std::string error_of(const char* file, const char* name) {
-  return message_of<std::runtime_error>([&] { loaded_symbol(file, name); });
+  return tests::message_of<std::runtime_error>([&] { loaded_symbol(file, name); });
 }
 
 TEST(LoadedLibrary, HasTheFunctionOrIsNotThere) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace datasets {
 namespace {
@@ -13,7 +13,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
 }
 
 TEST(PartialFile, HasItsNameOnlyOnceCommitted) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   PartialFile file(folder.path() / "a.txt");
   file.stream() << "whole";
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.txt"));
@@ -23,7 +23,7 @@ TEST(PartialFile, HasItsNameOnlyOnceCommitted) {
 }
 
 TEST(PartialFile, WithoutCommitLeavesTheOldFileAndNothingElse) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   folder.write("a.txt", "old");
   { PartialFile(folder.path() / "a.txt").stream() << "new"; }
   EXPECT_EQ(folder.read("a.txt"), "old");
@@ -31,12 +31,13 @@ TEST(PartialFile, WithoutCommitLeavesTheOldFileAndNothingElse) {
 }
 
 TEST(PartialFile, RefusesAMissingFolderAndAFolderAsName) {
-  const TemporaryFolder folder;
-  EXPECT_NE(message_of([&] {
+  const tests::TemporaryFolder folder;
+  EXPECT_NE(tests::message_of([&] {
               PartialFile(folder.path() / "none" / "a.txt");
             }).find("a.txt: cannot be written (No such file or directory)"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { PartialFile{folder.path()}; }).find("is a folder"), std::string::npos);
+  EXPECT_NE(tests::message_of([&] { PartialFile{folder.path()}; }).find("is a folder"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ldm/types.h"
-#include "tests/datasets/files/text_file.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
@@ -33,13 +33,13 @@ class TomlReaderTest : public testing::Test {
   /// The message of the error that `action` meets, without the name of the file.
   template <class Action>
   std::string error(Action&& action) {
-    const std::string message = message_of<ldm::InvalidInput>(action);
+    const std::string message = tests::message_of<ldm::InvalidInput>(action);
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_EQ(message.rfind(file_.name(), 0), 0u) << message;
     return message.substr(std::min(message.size(), file_.name().size()));
   }
 
-  TextFile file_{"toml_reader.toml", kText};
+  tests::TextFile file_{"toml_reader.toml", kText};
   TomlTable table_ = TomlTable::open(file_.path());
 };
 
@@ -158,32 +158,32 @@ TEST_F(TomlReaderTest, NamesUnknownKeys) {
 
 TEST(TomlFileTest, NamesFilesThatCannotBeRead) {
   const std::string missing = "/nonexistent/file.toml";
-  EXPECT_EQ(message_of<ldm::InvalidInput>([&] { TomlTable::open(missing); }),
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([&] { TomlTable::open(missing); }),
             missing + ": cannot be read: allowed: a readable TOML file");
   const std::string folder = std::filesystem::temp_directory_path().string();
-  EXPECT_EQ(message_of<ldm::InvalidInput>([&] { TomlTable::open(folder); }),
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([&] { TomlTable::open(folder); }),
             folder + ": cannot be read: allowed: a readable TOML file");
 }
 
 TEST(TomlFileTest, NamesThePlaceOfBrokenSyntax) {
-  const TextFile truncated("truncated.toml", "a = 1\nb = [1, 2");
-  EXPECT_EQ(message_of<ldm::InvalidInput>([&] {
+  const tests::TextFile truncated("truncated.toml", "a = 1\nb = [1, 2");
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([&] {
               TomlTable::open(truncated.path());
             }).rfind(truncated.name() + ":2: not TOML: ", 0),
             0u);
-  const TextFile binary("binary.toml", "a = 1\n\xff\xfe\x01");
+  const tests::TextFile binary("binary.toml", "a = 1\n\xff\xfe\x01");
   EXPECT_THROW(TomlTable::open(binary.path()), ldm::InvalidInput);
-  const TextFile dated("dated.toml", "day = 2021-03-01");
+  const tests::TextFile dated("dated.toml", "day = 2021-03-01");
   EXPECT_THROW(TomlTable::open(dated.path()), ldm::InvalidInput);
 }
 
 TEST(TomlFileTest, AnEmptyFileIsAnEmptyTable) {
-  const TextFile empty("empty.toml", "");
+  const tests::TextFile empty("empty.toml", "");
   EXPECT_TRUE(TomlTable::open(empty.path()).keys().empty());
 }
 
 TEST(TomlFileTest, RefusesNumbersThatAreNotFinite) {
-  const TextFile file("infinite.toml", "a = inf\nb = nan\n");
+  const tests::TextFile file("infinite.toml", "a = inf\nb = nan\n");
   const TomlTable table = TomlTable::open(file.path());
   EXPECT_THROW(table.number("a"), ldm::InvalidInput);
   EXPECT_THROW(table.number("b"), ldm::InvalidInput);

@@ -12,6 +12,7 @@
 
 #include "datasets/scenario/simulation.h"
 #include "tests/datasets/rawlog/rawlog_recording.h"
+#include "tests/source_folder.h"
 
 namespace datasets {
 namespace {
@@ -75,7 +76,7 @@ TEST_F(Rawlog, ReadsBackBitForBit) {
 
 TEST_F(Rawlog, ASimulatedScenarioReadsBackBitForBit) {
   const Scenario scenario =
-      read_scenario(fs::path(LDM_SOURCE_DIR) / "datasets/scenarios/scenario3.toml");
+      read_scenario(tests::source_folder() / "datasets/scenarios/scenario3.toml");
   constexpr std::int64_t kSimulated = 20;
   Simulation simulation(scenario, 1, kSimulated), again(scenario, 1, kSimulated);
   Frame frame, expected;

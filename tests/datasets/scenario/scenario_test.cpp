@@ -7,13 +7,13 @@
 #include <iterator>
 #include <set>
 
-#include "tests/datasets/files/text_file.h"
+#include "tests/source_folder.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
 
-const std::filesystem::path kFolder =
-    std::filesystem::path(LDM_SOURCE_DIR) / "datasets" / "scenarios";
+const std::filesystem::path kFolder = tests::source_folder() / "datasets" / "scenarios";
 
 Scenario shipped(const std::string& name) {
   return read_scenario(kFolder / (name + ".toml"));
@@ -31,8 +31,9 @@ std::string error_with(const std::string& line, const std::string& replacement,
   const std::size_t at = text.find(line);
   EXPECT_NE(at, std::string::npos);
   text.replace(at, line.size(), replacement);
-  const TextFile file("scenario.toml", text);
-  const std::string message = message_of<ldm::InvalidInput>([&] { read_scenario(file.path()); });
+  const tests::TextFile file("scenario.toml", text);
+  const std::string message =
+      tests::message_of<ldm::InvalidInput>([&] { read_scenario(file.path()); });
   EXPECT_EQ(message.find('\n'), std::string::npos);
   EXPECT_EQ(message.rfind(file.name() + ':', 0), 0u) << message;
   const std::size_t after_line = message.find(": ");
@@ -86,7 +87,7 @@ TEST(ScenarioTest, SetsAnyValueItLists) {
 TEST(ScenarioTest, RefusesToSetWhatIsWrongAndChangesNothing) {
   Scenario scenario = shipped("scenario3");
   const auto error = [&scenario](const char* name, const char* text) {
-    return message_of<ldm::InvalidInput>([&] { set_scenario_value(scenario, name, text); });
+    return tests::message_of<ldm::InvalidInput>([&] { set_scenario_value(scenario, name, text); });
   };
   EXPECT_EQ(error("sensor.channels", "0"), "sensor.channels = 0: allowed: an integer in [1, 1024]");
   EXPECT_EQ(error("sensor.channels", "16.5"),
@@ -180,7 +181,7 @@ TEST(ScenarioTest, TimetablesReadBackFromTheirText) {
 }
 
 TEST(ScenarioTest, EveryKeyIsDocumented) {
-  const std::string text = text_of(std::filesystem::path(LDM_SOURCE_DIR) / "docs" / "scenarios.md");
+  const std::string text = text_of(tests::source_folder() / "docs" / "scenarios.md");
   for (const char* name : {"scenario1", "scenario2", "scenario3", "outdoor1", "outdoor2"}) {
     for (const auto& [key, value] : scenario_values(shipped(name))) {
       EXPECT_NE(text.find(key.substr(key.rfind('.') + 1) + '`'), std::string::npos) << key;
@@ -189,8 +190,8 @@ TEST(ScenarioTest, EveryKeyIsDocumented) {
 }
 
 TEST(ScenarioTest, NamesTheLine) {
-  const TextFile file("line.toml", "title = \"x\"\nframes = -1\n[groups]\n");
-  EXPECT_EQ(message_of<ldm::InvalidInput>([&] { read_scenario(file.path()); }),
+  const tests::TextFile file("line.toml", "title = \"x\"\nframes = -1\n[groups]\n");
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([&] { read_scenario(file.path()); }),
             file.name() + ":2: frames = -1: allowed: an integer in [1, 1000000]");
 }
 
@@ -201,7 +202,7 @@ TEST(ScenarioTest, ATruncatedFileIsRefused) {
     // Cut between two groups, the file is one of fewer groups, and complete.
     const std::size_t next = std::min(text.find_first_not_of('\n', size), text.size());
     if (next == text.size() || text.compare(next, 7, "[groups") == 0) continue;
-    const TextFile file("cut.toml", text.substr(0, size));
+    const tests::TextFile file("cut.toml", text.substr(0, size));
     EXPECT_THROW(read_scenario(file.path()), ldm::InvalidInput) << size;
     ++refused;
   }

@@ -6,15 +6,16 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tests/datasets/files/text_file.h"
+#include "tests/source_folder.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
 
 /// A shipped scenario, cut to 20 s so that its world is drawn quickly.
 Scenario short_scenario(const std::string& name) {
-  Scenario scenario = read_scenario(std::filesystem::path(LDM_SOURCE_DIR) / "datasets" /
-                                    "scenarios" / (name + ".toml"));
+  Scenario scenario =
+      read_scenario(tests::source_folder() / "datasets" / "scenarios" / (name + ".toml"));
   scenario.frames = 200;
   scenario.uav.waypoints = 5;
   return scenario;
@@ -170,7 +171,8 @@ TEST(SimulationTest, RefusesWhatItCannotDo) {
 TEST(SimulationTest, SaysWhenThereIsNoRoom) {
   Scenario scenario = short_scenario("scenario2");
   scenario.groups[0].count = 500;
-  const std::string message = message_of<std::runtime_error>([&] { draw_world(scenario, 9); });
+  const std::string message =
+      tests::message_of<std::runtime_error>([&] { draw_world(scenario, 9); });
   EXPECT_EQ(message.rfind("scenario scenario2, seed 9: no world in 20 attempts; the last: "
                           "no room for obstacle ",
                           0),

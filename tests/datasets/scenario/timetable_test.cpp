@@ -8,14 +8,14 @@
 #include <limits>
 
 #include "datasets/scenario/simulation.h"
-#include "tests/datasets/files/text_file.h"
+#include "tests/source_folder.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
 
 Scenario outdoor(const std::string& name) {
-  return read_scenario(std::filesystem::path(LDM_SOURCE_DIR) / "datasets" / "scenarios" /
-                       (name + ".toml"));
+  return read_scenario(tests::source_folder() / "datasets" / "scenarios" / (name + ".toml"));
 }
 
 /// 2 m along x in 4 s with 1 m/s^2, a second's rest, and back.
@@ -154,7 +154,8 @@ TEST(OutdoorTest, SeedsDrawOtherWorlds) {
 TEST(OutdoorTest, AFlightThroughAPersonIsRefused) {
   Scenario scenario = outdoor("outdoor1");
   scenario.uav.timetable = {{0, {0.3, -1.5, 1.1}}};
-  const std::string message = message_of<std::runtime_error>([&] { draw_world(scenario, 1); });
+  const std::string message =
+      tests::message_of<std::runtime_error>([&] { draw_world(scenario, 1); });
   EXPECT_NE(message.find("flight breaks clearance: "), std::string::npos) << message;
 }
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
@@ -50,7 +50,7 @@ TEST(Methods, DefaultsAreTheTableWithTheMethodsOverrides) {
 }
 
 TEST(Methods, UnknownOneListsTheKnown) {
-  const std::string message = message_of([] { find_method("kalman"); });
+  const std::string message = tests::message_of([] { find_method("kalman"); });
   EXPECT_EQ(message,
             "unknown method kalman: allowed: ldm, circular_buffer, circular_buffer_low_clamp, "
             "circular_buffer_pf, octomap, current_scan");
@@ -61,7 +61,7 @@ TEST(Methods, RefuseParametersTheyDoNotUse) {
   ldm::Parameters parameters;
   apply({"map.voxels", "16", "--set"}, method, parameters);
   EXPECT_EQ(parameters.map.voxels, Eigen::Vector3i::Constant(16));
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(tests::message_of([&] {
               apply({"particles.count", "5", "a.toml:3"}, method, parameters);
             }),
             "a.toml:3: particles.count = 5: allowed: parameters that circular_buffer uses: map, "
@@ -72,9 +72,10 @@ TEST(Settings, OfACommandLine) {
   const Setting setting = parse_setting("map.voxels=8,8,8");
   EXPECT_EQ(setting.name, "map.voxels");
   EXPECT_EQ(setting.value, "8,8,8");
-  EXPECT_NE(message_of([] { parse_setting("map.voxels"); }).find("allowed: name=value"),
+  EXPECT_NE(tests::message_of([] { parse_setting("map.voxels"); }).find("allowed: name=value"),
             std::string::npos);
-  EXPECT_NE(message_of([] { parse_setting("=3"); }).find("allowed: name=value"), std::string::npos);
+  EXPECT_NE(tests::message_of([] { parse_setting("=3"); }).find("allowed: name=value"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ std::string results(const std::string& json) {
 }
 
 TEST(Plugins, ThatAreNoneAreRefused) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const std::string none = (folder.path() / "none.so").string();
-  EXPECT_EQ(message_of([&] { load_plugin(none); }),
+  EXPECT_EQ(tests::message_of([&] { load_plugin(none); }),
             "--plugin " + none + ": no such file: allowed: a shared object");
   const std::string text = folder.write("text.so", "no code").string();
-  EXPECT_EQ(message_of([&] { load_plugin(text); }),
+  EXPECT_EQ(tests::message_of([&] { load_plugin(text); }),
             "--plugin " + text + ": cannot be loaded (" + text +
                 ": file too short): allowed: a shared object");
-  EXPECT_EQ(message_of([] { load_plugin(kPlugins + "no_plugin.so"); }),
+  EXPECT_EQ(tests::message_of([] { load_plugin(kPlugins + "no_plugin.so"); }),
             "--plugin " + kPlugins +
                 "no_plugin.so: has no ldm_plugin_interface: allowed: a shared object with "
                 "LDM_PLUGIN of ldm/plugin.h");
@@ -34,19 +34,20 @@ TEST(Plugins, ThatAreNoneAreRefused) {
 TEST(Plugins, OfAnotherInterfaceAreRefused) {
   const std::string ours = std::to_string(ldm::kPluginInterface);
   const std::string theirs = std::to_string(ldm::kPluginInterface + 1);
-  EXPECT_EQ(message_of([] { load_plugin(kPlugins + "other_interface.so"); }),
+  EXPECT_EQ(tests::message_of([] { load_plugin(kPlugins + "other_interface.so"); }),
             "--plugin " + kPlugins + "other_interface.so: interface " + theirs +
                 ": allowed: interface " + ours + "; build it with the library of this program");
 }
 
 TEST(Plugins, WithABadRowAddNone) {
-  EXPECT_EQ(message_of([] { load_plugin(kPlugins + "no_create.so"); }),
+  EXPECT_EQ(tests::message_of([] { load_plugin(kPlugins + "no_create.so"); }),
             "--plugin " + kPlugins + "no_create.so: method idle has no create");
-  EXPECT_NE(message_of([] {
+  EXPECT_NE(tests::message_of([] {
               load_plugin(kPlugins + "taken_name.so");
             }).find("taken_name.so: method ldm exists already: allowed: other names than "),
             std::string::npos);
-  EXPECT_NE(message_of([] { find_method("new"); }).find("unknown method new"), std::string::npos);
+  EXPECT_NE(tests::message_of([] { find_method("new"); }).find("unknown method new"),
+            std::string::npos);
 }
 
 class PluginProgram : public Program {};

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "tests/datasets/files/text_file.h"
+#include "tests/text_file.h"
 
 namespace experiments {
 namespace {
@@ -47,7 +47,7 @@ class PictureFile {
   }
 
  private:
-  TextFile file_;
+  tests::TextFile file_;
   mrpt::img::CImage image_;
 };
 
@@ -161,7 +161,7 @@ TEST(Picture, TheSamePictureIsTheSameFile) {
 
 TEST(Picture, NamesAFileThatCannotBeWritten) {
   const std::string message =
-      message_of<ldm::InvalidInput>([] { write_png(empty_map(), "/nowhere/picture.png"); });
+      tests::message_of<ldm::InvalidInput>([] { write_png(empty_map(), "/nowhere/picture.png"); });
   EXPECT_NE(message.find("/nowhere/picture.png: cannot be written"), std::string::npos) << message;
 }
 

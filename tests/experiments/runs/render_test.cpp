@@ -83,7 +83,7 @@ TEST_F(Program, RefusesBadRunsToDraw) {
 }
 
 /// A program of this name that keeps its arguments and what it is fed.
-void write_ffmpeg(const TemporaryFolder& folder, const std::string& end) {
+void write_ffmpeg(const tests::TemporaryFolder& folder, const std::string& end) {
   const std::filesystem::path file =
       folder.write("bin/ffmpeg", "#!/bin/sh\necho \"$@\" > arguments\n" + end);
   std::filesystem::permissions(file, std::filesystem::perms::owner_all);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
@@ -112,11 +112,11 @@ TEST(TruthScore, ComparesTheFramesOfBoth) {
       score(run, {{1, {0.1, {object(10, 0)}}}, {2, {0.2, {object(10, 0)}}}}, 0.5);
   EXPECT_EQ(result.frames, 1);
   EXPECT_EQ(result.not_run, 1);
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(tests::message_of([&] {
               score(run, {{2, {}}}, 0.5);
             }).find("no frame of the truth is in the run"),
             std::string::npos);
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(tests::message_of([&] {
               score(run, {{1, {0.2, {}}}}, 0.5);
             }).find("frame 1: time_s = 0.200000: allowed: 0.100000"),
             std::string::npos);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
@@ -15,11 +15,11 @@ class TruthTableTest : public testing::Test {
     return read_truth_table(folder_.write("truth.csv", text));
   }
   void expect_bad(const std::string& text, const std::string& part) {
-    const std::string message = message_of([&] { read(text); });
+    const std::string message = tests::message_of([&] { read(text); });
     EXPECT_NE(message.find(part), std::string::npos) << message;
   }
 
-  TemporaryFolder folder_;
+  tests::TemporaryFolder folder_;
 };
 
 TEST_F(TruthTableTest, TakesColumnsInAnyOrderWithOrWithoutUnits) {
@@ -70,8 +70,9 @@ TEST_F(TruthTableTest, RefusesBadTables) {
   expect_bad(std::string(kHeader) + "0,1,0,0,0,0,0,0\n", "truth.csv:2: 8 values, allowed: 9");
   expect_bad(std::string(kHeader) + "0,1,0,0,0,0,0,0,1",
              "truth.csv:2: the file ends in the middle");
-  EXPECT_NE(message_of([] { read_truth_table("/none.csv"); }).find("/none.csv: cannot be read"),
-            std::string::npos);
+  EXPECT_NE(
+      tests::message_of([] { read_truth_table("/none.csv"); }).find("/none.csv: cannot be read"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <sstream>
 
 #include "experiments/study/study.h"
-#include "tests/experiments/temporary_folder.h"
+#include "tests/source_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
@@ -23,12 +24,12 @@ std::vector<std::string> toml_blocks(const std::string& text) {
 
 TEST(DocumentedStudies, AreGood) {
   std::ostringstream text;
-  text << std::ifstream(LDM_SOURCE_DIR "/docs/studies.md").rdbuf();
+  text << std::ifstream(tests::source_folder() / "docs/studies.md").rdbuf();
   const std::vector<std::string> shown = toml_blocks(text.str());
   ASSERT_EQ(shown.size(), 2u);
 
-  const DataFolders shipped{LDM_SOURCE_DIR};
-  const TemporaryFolder folder;
+  const DataFolders shipped{tests::source_folder().string()};
+  const tests::TemporaryFolder folder;
   const Study sweep = read_study(folder.write("sweep.toml", shown[0]), shipped.scenarios);
   EXPECT_EQ(sweep.points.size(), 3u * 4u * 2u);
   const Study ablation = read_study(folder.write("ablation.toml", shown[1]), shipped.scenarios);

@@ -7,12 +7,13 @@
 #include <set>
 
 #include "experiments/study/seeds.h"
-#include "tests/experiments/temporary_folder.h"
+#include "tests/source_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
 
-const DataFolders kShipped{LDM_SOURCE_DIR};
+const DataFolders kShipped{tests::source_folder().string()};
 
 const std::string kBase =
     "title = \"T\"\n"                               // line 1
@@ -22,12 +23,12 @@ const std::string kBase =
     "frames = 20\n";                                // line 5
 
 Study study_of(const std::string& text, const StudyOptions& options = {}) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   return read_study(folder.write("tiny.toml", text), kShipped.scenarios, options);
 }
 
 std::string error_of(const std::string& text, const StudyOptions& options = {}) {
-  std::string message = message_of([&] { study_of(text, options); });
+  std::string message = tests::message_of([&] { study_of(text, options); });
   return message.substr(std::min(message.size(), message.find("tiny.toml")));
 }
 
@@ -64,7 +65,7 @@ TEST(Study, TakesMethodsInsteadOfItsOwn) {
                                {.seeds = 1, .frames = {}, .methods = {"octomap"}});
   EXPECT_EQ(study.trial_count(), 4u);
   EXPECT_EQ(trial_id(study, trials(study)[1]), "scenario1.octomap.p02.s001");
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(tests::message_of([] {
               study_of(kBase, {.seeds = {}, .frames = {}, .methods = {"moon"}});
             }).rfind("--method: unknown method moon: allowed: ldm, ", 0),
             0u);
@@ -80,7 +81,7 @@ TEST(Study, IdsRoundTrip) {
     EXPECT_EQ(std::tie(found.scenario, found.entrant, found.point, found.replicate),
               std::tie(trial.scenario, trial.entrant, trial.point, trial.replicate));
   }
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(tests::message_of([&] {
               find_trial(study, "scenario1.ldm.p03.s001");
             }).find("study tiny has no trial scenario1.ldm.p03.s001"),
             std::string::npos);
@@ -228,7 +229,7 @@ TEST(StudyErrors, OfValues) {
   EXPECT_NE(error_of(kBase + "[sweep.axes]\n\"scenario.sensor.colour\" = [1]\n")
                 .find("tiny.toml:7: scenario: "),
             std::string::npos);
-  EXPECT_NE(message_of([] {
+  EXPECT_NE(tests::message_of([] {
               study_of(kBase, {.seeds = {}, .frames = 5000});
             }).find("frames = 5000: allowed: at most the 1200 of scenario1"),
             std::string::npos);

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
 
 std::vector<Point> points(const std::string& text) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   return read_points(datasets::TomlTable::open(folder.write("sweep.toml", text)));
 }
 
@@ -49,7 +49,9 @@ TEST(Sweep, AListOfListsIsAnAxisOfVectors) {
 }
 
 TEST(Sweep, SaysWhereItIsWrong) {
-  const auto error = [](const std::string& text) { return message_of([&] { points(text); }); };
+  const auto error = [](const std::string& text) {
+    return tests::message_of([&] { points(text); });
+  };
   EXPECT_NE(error("combine = \"cross\"\n").find("sweep.toml:1: axes is missing"),
             std::string::npos);
   EXPECT_NE(error("[axes]\n").find("sweep.toml:1: sweep.axes: allowed: at least one axis"),

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "experiments/study/seeds.h"
-#include "tests/experiments/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace experiments {
 namespace {
@@ -32,7 +32,7 @@ class TrialOfATinyStudy : public testing::Test {
     return text.substr(0, text.find("\n \"timing\""));
   }
 
-  TemporaryFolder folder_;
+  tests::TemporaryFolder folder_;
 };
 
 TEST_F(TrialOfATinyStudy, RemadeIsTheSameButForTheTiming) {

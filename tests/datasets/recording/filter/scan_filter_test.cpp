@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "tests/datasets/files/text_file.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
@@ -106,12 +106,13 @@ TEST(ScanFilter, BoundsThatCross) {
   InputParameters parameters;
   parameters.min_range = 6;
   parameters.max_range = 5;
-  EXPECT_EQ(message_of<ldm::InvalidInput>([&] { filtered({}, parameters); }),
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([&] { filtered({}, parameters); }),
             "input.min_range_m = 6: allowed: at most input.max_range_m = 5");
   parameters.max_range = 7;
   parameters.body.y_min = 1;
-  EXPECT_NE(message_of<ldm::InvalidInput>([&] { filtered({}, parameters); }).find("body.y_min_m"),
-            std::string::npos);
+  EXPECT_NE(
+      tests::message_of<ldm::InvalidInput>([&] { filtered({}, parameters); }).find("body.y_min_m"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 #include <limits>
 
 #include "datasets/recording/scans/broken_frame.h"
-#include "tests/datasets/files/text_file.h"
+#include "tests/source_folder.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
@@ -20,8 +21,9 @@ namespace {
 /// Written by PCL 1.13's pcl_convert_pcd_ascii_binary: 24 points with fields x y z intensity ring,
 /// three of them without a return.
 std::string fixture(const std::string& name) {
-  std::ifstream stream(std::string(LDM_SOURCE_DIR) + "/tests/datasets/pcd/" + name + ".pcd",
-                       std::ios::binary);
+  std::ifstream stream(
+      tests::source_folder() / "tests/datasets/recording/formats/pcd" / (name + ".pcd"),
+      std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -32,7 +34,7 @@ std::vector<ldm::Point> points_of(const std::string& content) {
 }
 
 std::string error_of(const std::string& content) {
-  return message_of<BrokenFrame>([&] { points_of(content); });
+  return tests::message_of<BrokenFrame>([&] { points_of(content); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

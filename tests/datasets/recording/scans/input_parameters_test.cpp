@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tests/datasets/files/text_file.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
@@ -36,7 +36,7 @@ TEST(InputParameters, SetByText) {
   set_parameter(parameters, "input.sensor.yaw_deg", "-90");
   EXPECT_EQ(parameters.sensor.yaw, -90);
   const auto error = [&](const std::string& name, const std::string& text) {
-    return message_of<ldm::InvalidInput>([&] { set_parameter(parameters, name, text); });
+    return tests::message_of<ldm::InvalidInput>([&] { set_parameter(parameters, name, text); });
   };
   EXPECT_EQ(error("input.ground.removal", "constant"),
             "input.ground.removal = constant: allowed: none, plane, grid");

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "datasets/recording/scans/broken_frame.h"
-#include "tests/datasets/files/text_file.h"
+#include "tests/text_file.h"
 
 namespace datasets {
 namespace {
@@ -16,8 +16,8 @@ ldm::Pose turned(double yaw, const Eigen::Vector3d& at = Eigen::Vector3d::Zero()
 }
 
 TEST(Trajectory, ReadsTum) {
-  const TextFile file("a.tum",
-                      "# a comment\n\n12.5 1 2 3 0 0 0.70710678 0.70710678\r\n13 4 5 6 0 0 0 +1");
+  const tests::TextFile file(
+      "a.tum", "# a comment\n\n12.5 1 2 3 0 0 0.70710678 0.70710678\r\n13 4 5 6 0 0 0 +1");
   TrajectoryFile trajectory(file.path());
   EXPECT_TRUE(trajectory.has_times());
   ASSERT_TRUE(trajectory.advance());
@@ -32,7 +32,7 @@ TEST(Trajectory, ReadsTum) {
 }
 
 TEST(Trajectory, ReadsKitti) {
-  const TextFile file("a.txt", "0 -1 0 7 1 0 0 8 0 0 1 9\n");
+  const tests::TextFile file("a.txt", "0 -1 0 7 1 0 0 8 0 0 1 9\n");
   TrajectoryFile trajectory(file.path());
   EXPECT_FALSE(trajectory.has_times());
   ASSERT_TRUE(trajectory.advance());
@@ -55,8 +55,8 @@ TEST(Trajectory, ARoundedRotationIsMadeOne) {
 
 TEST(Trajectory, ErrorsNameTheLine) {
   const auto error = [](const std::string& text) {
-    const TextFile file("bad.tum", text);
-    return message_of<ldm::InvalidInput>([&] {
+    const tests::TextFile file("bad.tum", text);
+    return tests::message_of<ldm::InvalidInput>([&] {
              TrajectoryFile trajectory(file.path());
              while (trajectory.advance()) trajectory.pose();
              trajectory.pose();
@@ -71,11 +71,11 @@ TEST(Trajectory, ErrorsNameTheLine) {
   EXPECT_EQ(error("1 0 0 0 0 0 0 1\n\n2 0 0 0 0 0 1\n"), ":3: 7 numbers: allowed: 8");
   EXPECT_EQ(error("1 0 0 0 0 0 0 1e999\n"), ":1: 1e999: allowed: a finite number");
   EXPECT_EQ(error("1 0 0 0 0 0 0 1\n"), ":2: the file ends: allowed: a pose for each scan");
-  EXPECT_NE(message_of<ldm::InvalidInput>([] {
+  EXPECT_NE(tests::message_of<ldm::InvalidInput>([] {
               TrajectoryFile("/no/such.tum");
             }).find("/no/such.tum: cannot be read"),
             std::string::npos);
-  EXPECT_EQ(message_of<ldm::InvalidInput>([] { TrajectoryFile("/tmp"); }),
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([] { TrajectoryFile("/tmp"); }),
             "/tmp: is a folder: allowed: a file");
 }
 

@@ -10,7 +10,7 @@
 
 #include "ldm/types.h"
 
-namespace experiments {
+namespace tests {
 
 class TemporaryFolder {
  public:
@@ -50,4 +50,4 @@ std::string message_of(Call&& call) {
   return {};
 }
 
-}  // namespace experiments
+}  // namespace tests

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace datasets {
+namespace tests {
 
 class TextFile {
  public:
@@ -40,4 +40,4 @@ std::string message_of(Action&& action) {
   return "";
 }
 
-}  // namespace datasets
+}  // namespace tests
