@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-EXPERIMENTS = Path(__file__).parents[2] / "experiments"
+METHOD = Path(__file__).resolve().parents[2] / "experiments" / "method"
 
 
 class Tree:
@@ -35,9 +35,9 @@ class Tree:
     def stamp(self) -> str:
         header = self.root.parent / "stamp.h"
         subprocess.run(
-            ["cmake", f"-DSOURCE_DIR={self.root}", f"-DTEMPLATE={EXPERIMENTS / 'build_stamp.h.in'}",
+            ["cmake", f"-DSOURCE_DIR={self.root}", f"-DTEMPLATE={METHOD / 'build_stamp.h.in'}",
              f"-DHEADER={header}", "-DVERSION=1", "-DCOMPILER=c", "-DFLAGS=-O3", "-DBUILD_TYPE=Release",
-             "-P", EXPERIMENTS / "build_stamp.cmake"], check=True)
+             "-P", METHOD / "build_stamp.cmake"], check=True)
         return header.read_text(encoding="utf-8")
 
 
