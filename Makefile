@@ -183,8 +183,8 @@ bench: $(BUILD)/Makefile ## speed of ours, bound, reference and baselines: resul
 	@$(call compile,ldm_bench ldm_kernels)
 	@$(PYTHON) experiments/benchmarks/bench.py --program $(BUILD)/bin/ldm_bench \
 	  --kernels $(BUILD)/bin/ldm_kernels --results $(RESULTS) $(if $(FRAMES),--frames '$(FRAMES)')
-	@$(PYTHON) -m analysis.bench_table --results $(RESULTS)
-	@$(PYTHON) -m analysis.bench_figures --results $(RESULTS)
+	@$(PYTHON) -m analysis.tables.bench_table --results $(RESULTS)
+	@$(PYTHON) -m analysis.figures.bench_figures --results $(RESULTS)
 
 .PHONY: bench-compare
 bench-compare: $(BUILD)/Makefile ## time of the working tree over that of REV, both measured in turns
@@ -202,21 +202,21 @@ run_study = $(PYTHON) experiments/harness/run_study.py $(1) --program $(LDM) --r
 slurm = $(if $(SLURM),--shards '$(SHARDS)' --shard-cpus '$(CPUS)' --sbatch-flags='$(subst ','\'',$(SBATCH_FLAGS))')
 # Folder of a study's results, as run_study.py names it.
 folder = $(1)$(if $(FRAMES),-f$(FRAMES))
-# $(call analyse,SCRIPT,STUDY)
+# $(call analyse,ROOM.SCRIPT,STUDY)
 analyse = $(PYTHON) -m analysis.$(1) --results $(RESULTS) --study $(call folder,$(2))
 
 # Tables and figures of a study; those not named here are sweeps, ablations, or end as one.
-scripts_table1 = table1 velocity_figures
-scripts_velocity = velocity velocity_figures
-scripts_timing = computation_time
-scripts_outdoor = outdoor_figures
+scripts_table1 = tables.table1 figures.velocity_figures
+scripts_velocity = tables.velocity figures.velocity_figures
+scripts_timing = figures.computation_time
+scripts_outdoor = figures.outdoor_figures
 define draw
-$(foreach script,$(or $(scripts_$(STUDY)),sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
+$(foreach script,$(or $(scripts_$(STUDY)),figures.sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
 endef
 
 # Lines of input, JOBS at a time: each in place of {}, or the words of each as arguments.
 each = xargs -P '$(JOBS)' -I{}
-# $(call note_origin,FOLDER): what captions say of recorded worlds and pictures, analysis/recorded.py.
+# $(call note_origin,FOLDER): what captions say of recorded worlds and pictures, analysis/data/recorded.py.
 note_origin = printf 'seed = 1\nprogram = "%s"\n' "$$($(LDM) --version)" > $(1)/recorded.toml
 per_line = xargs -P '$(JOBS)' -L1
 
@@ -226,8 +226,8 @@ mkdir -p $(RESULTS)/$(call folder,worlds) && \
 printf '%s\n' scenario1 scenario2 scenario3 | $(each) $(LDM) simulate {} --seed 1 \
   $(if $(FRAMES),--frames '$(FRAMES)') -o $(RESULTS)/$(call folder,worlds)/{}.rawlog && \
 $(call note_origin,$(RESULTS)/$(call folder,worlds)) && \
-$(call analyse,figure5,worlds) && \
-$(call analyse,velocity_figures,table1)
+$(call analyse,figures.figure5,worlds) && \
+$(call analyse,figures.velocity_figures,table1)
 endef
 
 # Figures 11 to 13 need a recorded flight of each scenario, and pictures: of outdoor1 all at rest, walking,
@@ -241,15 +241,15 @@ printf '%s\n' outdoor1 outdoor2 | $(each) $(LDM) simulate {} --seed 1 -o $(fligh
 $(call note_origin,$(flight)) && \
 for picture in $(flight_pictures); do echo ldm $${picture%.*} --seed 1 --set execution.threads=1 \
   --frame $${picture#*.frame} -o '$(flight)'/$$picture.png; done | $(per_line) $(LDM) render && \
-$(PYTHON) -m analysis.flight_figures --results $(RESULTS)
+$(PYTHON) -m analysis.figures.flight_figures --results $(RESULTS)
 endef
 
 .PHONY: reproduce
 reproduce: program ## the paper's studies: Table 1 and Figures 5 to 9, 11 to 16, ours beside the published
 	@$(call run_study,table1)
 	@$(call run_study,outdoor)
-	@made=$$($(draw_figures)); outdoor=$$($(call analyse,outdoor_figures,outdoor)); \
-	$(call analyse,table1,table1); \
+	@made=$$($(draw_figures)); outdoor=$$($(call analyse,figures.outdoor_figures,outdoor)); \
+	$(call analyse,tables.table1,table1); \
 	grep -v '^$(RESULTS)/' <<< "$$outdoor"; \
 	echo "Pictures:"; grep -h 'png$$' <<< "$$made"$$'\n'"$$outdoor"
 	@$(draw_flight) | grep 'png$$'
@@ -283,23 +283,23 @@ studies: program ## list the studies: number of trials, estimated time on JOBS c
 .PHONY: timing
 timing: program ## computation time of each stage, trials one after the other
 	@$(call run_study,timing)
-	@$(call analyse,computation_time,timing)
+	@$(call analyse,figures.computation_time,timing)
 
 .PHONY: compare
 compare: STUDY = table1
 compare: program ## paired differences of METHODS="a b" against every other method of STUDY (table1)
 	@$(call run_study,$(STUDY)) --methods '$(METHODS)'
-	@$(call analyse,compare,$(STUDY)) --methods '$(METHODS)'
+	@$(call analyse,tables.compare,$(STUDY)) --methods '$(METHODS)'
 
 .PHONY: tables
 tables: setup ## Table 1 and the velocity errors, from the results that exist
-	@$(call analyse,table1,table1)
+	@$(call analyse,tables.table1,table1)
 
 .PHONY: figures
 figures: program ## Figures 5 to 9 and 11 to 16, from the results that exist
 	@$(draw_figures)
 	@$(draw_flight)
-	@$(call analyse,outdoor_figures,outdoor)
+	@$(call analyse,figures.outdoor_figures,outdoor)
 
 # The first frame from 20 s on in whose map scenario3 has a moving and a standing obstacle, and the one of
 # outdoor1 in which people meet.
@@ -312,7 +312,7 @@ gallery: program ## a picture of each scenario by each method, without a display
 	    echo $$method $(scenario) --frame $(or $(gallery_frame_$(scenario)),200) \
 	      -o $(RESULTS)/gallery/$(scenario).$$method.png; done;) } \
 	  | xargs -P '$(JOBS)' -L 1 $(LDM) render --seed 1
-	@$(PYTHON) -m analysis.gallery --results $(RESULTS)
+	@$(PYTHON) -m analysis.figures.gallery --results $(RESULTS)
 
 # --- Report ----------------------------------------------------------------------------------------
 

@@ -14,11 +14,9 @@ import sys
 from pathlib import Path
 from typing import Sequence
 
-from analysis import accuracy_table, velocity_table
-from analysis.command_line import run
-from analysis.mean_table import Means, mean_table
-from analysis.output import write_text
-from analysis.records import Study
+from analysis.data.command_line import run
+from analysis.data.output import write_text
+from analysis.data.records import Study
 from analysis.report import latex
 from analysis.report.claims import ledger, ledger_table
 from analysis.report.claims_outdoor import outdoor_table
@@ -31,6 +29,8 @@ from analysis.report.sensitivity import sensitivity_table
 from analysis.report.sources import write_sources
 from analysis.report.sweeps import ends_table
 from analysis.report.time_table import stages_table
+from analysis.tables import accuracy_table, velocity_table
+from analysis.tables.mean_table import Means, mean_table
 
 PARAMETER_STUDIES = ("table1", "ablation", "timing")
 """Where the LDM's own parameters are looked for, in this order."""

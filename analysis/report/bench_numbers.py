@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from analysis.bench import Case, bound, ldm
-from analysis.bench_table import LARGE, SMALL
+from analysis.data.bench import Case, bound, ldm
 from analysis.report import latex
 from analysis.report.evidence import BENCH, Evidence
+from analysis.tables.bench_table import LARGE, SMALL
 
 PARTICLE_BYTES = 16
 """Of the bound and of ldm/particle.h."""

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 
 import pandas as pd
 
-from analysis.beside import scenario_name
-from analysis.orderings import Claim, published_claim
-from analysis.published import PAPER_NAMES, published
-from analysis.records import Study
+from analysis.data.published import PAPER_NAMES, published
+from analysis.data.records import Study
+from analysis.data.scores import Score
+from analysis.data.statistics import PairedComparison, mean_interval
 from analysis.report import latex
-from analysis.report.comparisons import NO, OPEN, PARTLY, YES, compare, per_seed, verdict_on_order
-from analysis.scores import Score
-from analysis.statistics import PairedComparison, mean_interval
+from analysis.report.comparisons import NO, OPEN, PARTLY, YES, compare, verdict_on_order
+from analysis.tables.beside import scenario_name
+from analysis.tables.orderings import Claim, published_claim
 
 MOST_PCT = 95
 """What we take "almost all times" and "the direction is right" to mean [% of the frames]."""
@@ -42,7 +42,7 @@ def pair_lines(
 ) -> tuple[str, ...]:
     return tuple(
         f"{PAPER_NAMES[method]} "
-        + latex.interval(mean_interval(per_seed(study, scenario, method, score.name)),
+        + latex.interval(mean_interval(study.per_seed(scenario, method, score.name)),
                          score.decimals)
         for method in pair
     )  # fmt: skip
@@ -67,12 +67,10 @@ def order_row(
     if study is None:
         return open_row(statement, place, shown, latex.missing("table1"), where)
     found = compare(study, scenario, score.name, *pair)
-    differences = per_seed(study, scenario, pair[0], score.name) - per_seed(
-        study, scenario, pair[1], score.name
-    )
+    ours, theirs = (study.per_seed(scenario, method, score.name) for method in pair)
     lines = pair_lines(study, scenario, score, pair)
     lines += (difference_line(found, score.difference_decimals),)
-    verdict = verdict_on_order(_scaled(claim, score, study), found, differences.dropna())
+    verdict = verdict_on_order(_scaled(claim, score, study), found, (ours - theirs).dropna())
     return Row(statement, latex.plain(place), shown, lines, verdict, where, found.p)
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from analysis.data.statistics import holm
 from analysis.report import latex
 from analysis.report.claim_rows import Row
 from analysis.report.claims_occupancy import cause_rows, table1_rows, time_row
@@ -14,7 +15,6 @@ from analysis.report.claims_outdoor import outdoor_rows
 from analysis.report.claims_velocity import velocity_rows
 from analysis.report.comparisons import NO, OPEN, PARTLY, YES
 from analysis.report.evidence import Evidence
-from analysis.statistics import holm
 
 VERDICTS = (YES, PARTLY, NO, OPEN)
 _COLUMNS = r"r>{\raggedright\arraybackslash}p{44mm}>{\raggedright\arraybackslash}p{20mm}" \

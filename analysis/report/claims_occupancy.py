@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from analysis.accuracy_table import PUBLISHED
-from analysis.beside import scenario_name
-from analysis.computation_time import METHOD, TOTAL, serial_records, time_table
-from analysis.published import published
-from analysis.records import Study
+from analysis.data.published import published
+from analysis.data.records import Study
+from analysis.data.scores import SCORES
+from analysis.data.statistics import Interval
+from analysis.figures.computation_time import METHOD, TOTAL, serial_records, time_table
 from analysis.report import latex
 from analysis.report.claim_rows import Row, open_row, order_row
 from analysis.report.comparisons import NO, PARTLY, YES, compare
 from analysis.report.evidence import Evidence
-from analysis.scores import SCORES
-from analysis.statistics import Interval
+from analysis.tables.accuracy_table import PUBLISHED
+from analysis.tables.beside import scenario_name
 
 
 def table1_rows(evidence: Evidence) -> list[Row]:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from analysis.outdoor_table import FOLLOWING, SCENARIO, Measure, means, measures
-from analysis.published import published
-from analysis.records import Study
+from analysis.data.published import published
+from analysis.data.records import Study
+from analysis.data.scores import SCORES
 from analysis.report import latex
 from analysis.report.claim_rows import Row, open_row, share_row
 from analysis.report.comparisons import NO, YES, compare
 from analysis.report.evidence import Evidence
-from analysis.scores import SCORES
-from analysis.text_table import latex_tabular, latex_text
+from analysis.tables.outdoor_table import FOLLOWING, SCENARIO, Measure, means, measures
+from analysis.tables.text_table import latex_tabular, latex_text
 
 METHOD, WITHOUT_PREDICTION = "ldm", "no_prediction"
 WHERE = r"Table~\ref{tab:outdoor}"

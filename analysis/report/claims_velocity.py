@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from analysis.beside import scenario_name
-from analysis.published import PAPER_NAMES, published
-from analysis.records import Study
-from analysis.report import latex, series_scores
+from analysis.data import series_scores
+from analysis.data.published import PAPER_NAMES, published
+from analysis.data.records import Study
+from analysis.data.scores import SCORES
+from analysis.data.statistics import mean_interval
+from analysis.report import latex
 from analysis.report.claim_rows import (
     Row,
     difference_line,
@@ -16,9 +18,8 @@ from analysis.report.claim_rows import (
 )
 from analysis.report.comparisons import NO, PARTLY, YES, compare, paired
 from analysis.report.evidence import Evidence
-from analysis.scores import SCORES
-from analysis.statistics import mean_interval
-from analysis.velocity_table import PAIR, PUBLISHED
+from analysis.tables.beside import scenario_name
+from analysis.tables.velocity_table import PAIR, PUBLISHED
 
 
 def velocity_rows(evidence: Evidence) -> list[Row]:

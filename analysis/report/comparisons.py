@@ -4,26 +4,13 @@ from __future__ import annotations
 
 import pandas as pd
 
-from analysis.orderings import REPRODUCED, Claim, Ordering
-from analysis.records import Study
-from analysis.scores import SCORES
-from analysis.statistics import PairedComparison, compare_pairs, interval_of_one_more
+from analysis.data.records import Study
+from analysis.data.scores import SCORES
+from analysis.data.statistics import PairedComparison, compare_pairs, interval_of_one_more
+from analysis.tables.orderings import REPRODUCED, Claim, Ordering
 
 YES, PARTLY, NO, OPEN = "reproduced", "partly", "not", "open"
 """The verdicts of the ledger; open: what would decide it is missing."""
-
-
-def per_seed(study: Study, scenario: str, method: str, score: str, point: str = "") -> pd.Series:
-    """Replicate -> value of a score; replicates without one are left out."""
-    trials = study.trials
-    rows = trials[
-        (trials["scenario"] == scenario)
-        & (trials["method"] == method)
-        & (trials["point"] == point)
-    ]
-    if score not in rows:
-        return pd.Series(dtype=float)
-    return rows.set_index("replicate")[score].dropna()
 
 
 def paired(method: pd.Series, baseline: pd.Series, better: str) -> PairedComparison:
@@ -37,8 +24,8 @@ def compare(
 ) -> PairedComparison:
     """The same for a score of the records."""
     return paired(
-        per_seed(study, scenario, method, score, point),
-        per_seed(study, scenario, baseline, score, point),
+        study.per_seed(scenario, method, score, point),
+        study.per_seed(scenario, baseline, score, point),
         SCORES[score].better,
     )
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from analysis.errors import InputError
+from analysis.data.errors import InputError
 from analysis.report import latex
-from analysis.text_table import latex_tabular
+from analysis.tables.text_table import latex_tabular
 
 
 class Equation(NamedTuple):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
-from analysis.bench import Bench, bench_file, load_bench
-from analysis.records import Study, load_study
+from analysis.data.bench import Bench, bench_file, load_bench
+from analysis.data.records import Study, load_study
 
 SWEEPS = (
     "particles",

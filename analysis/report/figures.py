@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from analysis import (
+from analysis.data.output import write_text
+from analysis.data.scores import MAIN_SCORES, find_scores
+from analysis.figures import (
     computation_time,
     figure5,
     flight_figures,
@@ -13,11 +15,9 @@ from analysis import (
     sweep_figure,
     velocity_figures,
 )
-from analysis.mean_table import mean_table
-from analysis.output import write_text
 from analysis.report import latex
 from analysis.report.evidence import FLIGHT, SWEEPS, WORLDS, Evidence
-from analysis.scores import MAIN_SCORES, find_scores
+from analysis.tables.mean_table import mean_table
 
 _STUDY = {
     "figure5": WORLDS,

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 import re
 
+from analysis.data.statistics import Interval
 from analysis.report.evidence import command
-from analysis.statistics import Interval
-from analysis.text_table import NOTHING, latex_text, number, p_value
+from analysis.tables.text_table import NOTHING, latex_text, number, p_value
 
 
 def missing(study: str) -> str:

@@ -8,19 +8,19 @@ from pathlib import Path
 
 import pandas as pd
 
-from analysis import accuracy_table, statistics
-from analysis.computation_time import METHOD, TOTAL, serial_records, time_table
-from analysis.orderings import OPPOSITE, REPRODUCED
-from analysis.published import published
-from analysis.records import Study
-from analysis.report import latex, series_scores
+from analysis.data import series_scores, statistics
+from analysis.data.published import published
+from analysis.data.records import Study
+from analysis.data.statistics import interval_of_one_more
+from analysis.figures.computation_time import METHOD, TOTAL, serial_records, time_table
+from analysis.report import latex
 from analysis.report.bench_numbers import bench_numbers
 from analysis.report.claim_rows import MOST_PCT, Row
 from analysis.report.claims import counts
-from analysis.report.comparisons import per_seed
 from analysis.report.evidence import STUDIES, WORLDS, Evidence
 from analysis.report.open_points import open_points, show
-from analysis.statistics import interval_of_one_more
+from analysis.tables import accuracy_table
+from analysis.tables.orderings import OPPOSITE, REPRODUCED
 
 SCENARIOS = ("scenario1", "scenario2", "scenario3")
 
@@ -93,7 +93,7 @@ def _table1_numbers(study: Study | None) -> dict[str, str]:
     for scenario, values in published()["table1"].items():
         for score in accuracy_table.PUBLISHED:
             for method, value in values[score.name].items():
-                ours = per_seed(study, scenario, method, score.name)
+                ours = study.per_seed(scenario, method, score.name)
                 low, high = interval_of_one_more(ours.to_numpy())
                 within.append(low <= value * (factor if score.summed else 1) <= high)
     verdicts = Counter(o.verdict for o in accuracy_table.judge_orderings(study))

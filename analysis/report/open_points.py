@@ -8,15 +8,15 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from analysis.accuracy_table import judge_orderings
-from analysis.mixtures import PER_TRIAL_PARAMETERS
-from analysis.orderings import judge
-from analysis.records import Study, point_label
+from analysis.data.mixtures import PER_TRIAL_PARAMETERS
+from analysis.data.records import Study, point_label
+from analysis.data.scores import SCORES, Score
 from analysis.report import latex
-from analysis.report.comparisons import paired, per_seed
+from analysis.report.comparisons import paired
 from analysis.report.evidence import Evidence
-from analysis.scores import SCORES, Score
-from analysis.text_table import NOTHING
+from analysis.tables.accuracy_table import judge_orderings
+from analysis.tables.orderings import judge
+from analysis.tables.text_table import NOTHING
 
 FILE = Path(__file__).with_name("open_points.toml")
 STUDIES = ("ablation", "process_noise", "survival")
@@ -123,7 +123,7 @@ def effect_cells(alternative: Alternative) -> list[str]:
         score = SCORES[name]
         for scenario in scenarios:
             changed, reference = (
-                per_seed(study, scenario, method, name, point)
+                study.per_seed(scenario, method, name, point)
                 for method, point in (alternative.entrant, alternative.reference)
             )
             found = paired(changed, reference, score.better).difference

@@ -7,15 +7,15 @@ from typing import Callable
 
 import pandas as pd
 
-from analysis import accuracy_table, velocity_table
-from analysis.beside import scenario_name
-from analysis.orderings import OPPOSITE, REPRODUCED, Claim
-from analysis.records import Study
+from analysis.data.records import Study
+from analysis.data.scores import SCORES
 from analysis.report import latex
-from analysis.report.comparisons import ordering, paired, per_seed
+from analysis.report.comparisons import ordering, paired
 from analysis.report.evidence import Evidence
-from analysis.scores import SCORES
-from analysis.text_table import latex_tabular
+from analysis.tables import accuracy_table, velocity_table
+from analysis.tables.beside import scenario_name
+from analysis.tables.orderings import OPPOSITE, REPRODUCED, Claim
+from analysis.tables.text_table import latex_tabular
 
 OTHER_TRUTH = {
     "accuracy_pct": "accuracy_visible_pct",
@@ -94,7 +94,7 @@ def _mark(
         return UNKNOWN
     changed = change(claim)
     method, baseline = (
-        _first(per_seed(study, changed.scenario, name, changed.score, point), most)
+        _first(study.per_seed(changed.scenario, name, changed.score, point), most)
         for name in (changed.method, changed.baseline)
     )
     found = ordering(changed, paired(method, baseline, SCORES[changed.score].better))

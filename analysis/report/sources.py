@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from analysis.output import write_text
+from analysis.data.output import write_text
 from analysis.report.evidence import Evidence, command
 
 NAME = "sources.json"

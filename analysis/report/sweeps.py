@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from analysis.beside import scenario_name
-from analysis.records import Study
+from analysis.data.records import Study
+from analysis.data.scores import MAIN_SCORES, SCORES
+from analysis.data.sweep_axis import sweep_axis
 from analysis.report import latex
-from analysis.report.comparisons import paired, per_seed
+from analysis.report.comparisons import paired
 from analysis.report.evidence import SWEEPS, Evidence
-from analysis.scores import MAIN_SCORES, SCORES
-from analysis.sweep_axis import sweep_axis
-from analysis.text_table import latex_tabular
+from analysis.tables.beside import scenario_name
+from analysis.tables.text_table import latex_tabular
 
 METHOD = "ldm"
 
@@ -39,7 +39,7 @@ def _study_rows(study: Study) -> list[list[str]]:
     for scenario in study.scenarios:
         cells = []
         for score in map(SCORES.get, MAIN_SCORES):
-            a, b = (per_seed(study, scenario, METHOD, score.name, p) for p in (last, first))
+            a, b = (study.per_seed(scenario, METHOD, score.name, p) for p in (last, first))
             difference = paired(a, b, score.better).difference
             cells.append(latex.interval(difference, score.difference_decimals, sign=True))
         rows.append([names.pop(0) if names else "", scenario_name(scenario), *cells])

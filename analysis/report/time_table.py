@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from analysis.computation_time import METHOD, TOTAL, serial_records, time_table
-from analysis.published import published
+from analysis.data.published import published
+from analysis.data.statistics import Interval
+from analysis.figures.computation_time import METHOD, TOTAL, serial_records, time_table
 from analysis.report import latex
 from analysis.report.evidence import Evidence
-from analysis.statistics import Interval
-from analysis.text_table import latex_tabular
+from analysis.tables.text_table import latex_tabular
 
 LABEL = "tab:time"
 

@@ -1,6 +1,7 @@
-"""Makes `import analysis` work from any folder."""
+"""Makes `import analysis` and `import record_files` work from any folder."""
 
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parents[1]), str(HERE)]

@@ -71,8 +71,8 @@ def test_ratios_that_no_noise_can_turn(document):
 
 
 @pytest.mark.parametrize("script, made", [
-    ("bench_table", ["bench.txt"]),
-    ("bench_figures", ["figures/bench_stages.png", "figures/bench_growth.pdf"]),
+    ("tables.bench_table", ["bench.txt"]),
+    ("figures.bench_figures", ["figures/bench_stages.png", "figures/bench_growth.pdf"]),
 ])
 def test_tables_and_figures_come_from_it(results, script, made):
     done = run("/usr/bin/python3", "-m", f"analysis.{script}", "--results", results)

@@ -80,9 +80,9 @@ def main() -> int:
              OVERHEAD_PCT)
         show("find 10,000 trials finished", study_s(folder, args.jobs), "s", LISTING_S)
         write_sweep(folder)
-        show("figure and table of a sweep of 10,020 trials", analysis_s("sweep_figure", folder), "s",
+        show("figure and table of a sweep of 10,020 trials", analysis_s("figures.sweep_figure", folder), "s",
              ANALYSIS_S)
-        show("all pairs of methods, 10,020 trials", analysis_s("compare", folder), "s", ANALYSIS_S)
+        show("all pairs of methods, 10,020 trials", analysis_s("tables.compare", folder), "s", ANALYSIS_S)
     return 0 if within else 1
 
 

@@ -1,0 +1,1 @@
+"""What the analysis reads: records, series, bench.json, the paper's numbers; statistics; command lines."""

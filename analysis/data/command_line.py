@@ -1,0 +1,57 @@
+"""What every script's command line shares: --results, --study, and exit codes 0, 1, 2, 130."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import Callable, Sequence
+
+from analysis.data.errors import InputError
+from analysis.data.records import Study
+
+
+def parser(doc: str, study: str) -> argparse.ArgumentParser:
+    """A parser with --results and --study; `doc` is the script's docstring, `study` the default."""
+    made = argparse.ArgumentParser(
+        description=doc, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    made.add_argument(
+        "--results",
+        type=Path,
+        default=Path("results"),
+        metavar="DIR",
+        help="folder that holds STUDY/records/*.json (default: results)",
+    )
+    made.add_argument(
+        "--study", default=study, metavar="NAME", help=f"folder in DIR (default: {study})"
+    )
+    return made
+
+
+def name_list(text: str) -> list[str]:
+    """Names separated by commas or spaces, as a command-line type."""
+    return text.replace(",", " ").split()
+
+
+def report_notes(study: Study) -> None:
+    """Print what the study lacks on stderr: a table with gaps never goes unannounced."""
+    for note in study.notes:
+        print(f"{study.folder}: {note}", file=sys.stderr)
+
+
+def run(main: Callable[[Sequence[str] | None], None], argv: Sequence[str] | None = None) -> int:
+    """Exit code of `main`: 0, or with one line on stderr 2 if the input is bad, 130 at Ctrl-C."""
+    try:
+        main(argv)
+        sys.stdout.flush()
+    except InputError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("interrupted: the same command makes all of it anew", file=sys.stderr)
+        return 130
+    except BrokenPipeError:  # whoever reads the printed table has seen enough; files are written
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0

@@ -1,0 +1,97 @@
+"""How every figure looks and is saved: readable at column width, same records, same bytes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+
+from analysis.data.output import write_text
+
+COLUMN_WIDTH = 3.4
+"""Width of a column of the paper [in]."""
+PAGE_WIDTH = 7.0
+"""Width of the text [in]."""
+
+# Okabe and Ito's colours, told apart with any kind of colour blindness.
+BLACK, BLUE, VERMILLION, GREEN = "#000000", "#0072B2", "#D55E00", "#009E73"
+ORANGE, SKY_BLUE, PURPLE, GREY = "#E69F00", "#56B4E9", "#CC79A7", "#7F7F7F"
+
+PLAIN_NUMBERS = FuncFormatter(lambda value, _: f"{value:g}")
+"""Ticks of a logarithmic axis as 0.1, 1, 10 and not as powers."""
+
+_METHOD_STYLES = {
+    "ldm": (BLACK, "o"),
+    "circular_buffer": (VERMILLION, "s"),
+    "circular_buffer_pf": (ORANGE, "D"),
+    "circular_buffer_low_clamp": (PURPLE, "^"),
+    "octomap": (BLUE, "v"),
+    "current_scan": (GREEN, "P"),
+}
+_OTHER_STYLES = [(SKY_BLUE, "X"), (GREY, "<"), ("#882255", ">"), ("#44AA99", "*"), ("#999933", "p")]
+
+matplotlib.rcParams.update(
+    {
+        "font.size": 8,
+        "axes.labelsize": 8,
+        "axes.titlesize": 8,
+        "xtick.labelsize": 8,
+        "ytick.labelsize": 8,
+        "legend.fontsize": 8,
+        "legend.frameon": False,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.linewidth": 0.6,
+        "axes.grid": True,
+        "axes.axisbelow": True,
+        "grid.color": "#DDDDDD",
+        "grid.linewidth": 0.5,
+        "lines.linewidth": 1.2,
+        "figure.dpi": 100,
+        "savefig.dpi": 300,
+        "pdf.fonttype": 42,  # text stays text
+    }
+)
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure of this size [in]; its layout makes room for all labels."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def method_styles(methods: list[str]) -> dict[str, tuple[str, str]]:
+    """Colour and marker of each method: known ones have their own, others take what is left."""
+    others = [method for method in methods if method not in _METHOD_STYLES]
+    styles = {other: _OTHER_STYLES[i % len(_OTHER_STYLES)] for i, other in enumerate(others)}
+    return {method: _METHOD_STYLES.get(method) or styles[method] for method in methods}
+
+
+def legend_above(figure: Figure, axes: Axes, columns: int) -> None:
+    """A legend of `axes`' labels above all panels, in a band of its own: it covers no data."""
+    handles, labels = axes.get_legend_handles_labels()
+    legend = figure.legend(
+        handles, labels, loc="upper center", ncols=columns, handlelength=2.2, columnspacing=1.2,
+        borderaxespad=0.2,
+    )  # fmt: skip
+    pixels = legend.get_window_extent(figure.canvas.get_renderer()).height
+    band = (pixels / figure.dpi + 0.06) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - band))
+
+
+def save(figure: Figure, stem: Path, caption: str) -> list[Path]:
+    """Write STEM.png, STEM.pdf and the caption as STEM.txt; returns the two pictures.
+
+    No date and no program version goes into the files.
+    """
+    stem.parent.mkdir(parents=True, exist_ok=True)
+    png, pdf = stem.with_suffix(".png"), stem.with_suffix(".pdf")
+    figure.savefig(png, metadata={"Software": None})
+    figure.savefig(pdf, metadata={"CreationDate": None, "Creator": None, "Producer": None})
+    write_text(stem.with_suffix(".txt"), caption + "\n")
+    return [png, pdf]

@@ -1,0 +1,1 @@
+"""Tables of a study, ours beside the paper's, and the scripts that write them."""

@@ -1,0 +1,46 @@
+"""Scores from velocity series: constancy, direction, and the paper's bound on static errors."""
+
+import numpy as np
+import pytest
+
+from analysis.data.series import ObjectSeries
+from analysis.data.series_scores import direction_share, fluctuation, static_share
+
+
+def series(truth, estimate, dynamic=True, first=0):
+    """Ten frames a second; truth and estimate are (T, 3)."""
+    frame = np.arange(first, first + len(truth))
+    return ObjectSeries(1, dynamic, frame, frame / 10, np.array(truth, float), np.array(estimate, float),
+                        np.zeros(len(truth), bool))  # fmt: skip
+
+
+def test_fluctuation_is_about_the_mean_and_leaves_the_beginning_out():
+    truth = [[1, 0, 0]] * 35
+    # Wrong by 5 m/s for the first 1.5 s, then 0.7 or 0.9 m/s: a constant error does not fluctuate.
+    estimate = [[6, 0, 0]] * 15 + [[0.7, 0, 0], [0.9, 0, 0]] * 10
+    assert fluctuation([series(truth, estimate)]) == pytest.approx(0.1)
+
+
+def test_fluctuation_needs_a_constant_velocity_in_motion():
+    turning = [[np.cos(t), np.sin(t), 0] for t in np.linspace(0, 3, 40)]
+    still = [[0, 0, 0]] * 40
+    assert np.isnan(fluctuation([series(turning, turning), series(still, still)]))
+
+
+def test_fluctuation_begins_anew_after_a_change():
+    truth = [[1, 0, 0]] * 22 + [[-1, 0, 0]] * 22
+    estimate = [[1, 0, 0]] * 22 + [[9, 0, 0]] * 15 + [[-1, 0, 0]] * 7
+    assert fluctuation([series(truth, estimate)]) == pytest.approx(0)
+
+
+def test_direction_is_right_within_45_degrees_and_counts_motion_alone():
+    truth = [[1, 0, 0], [1, 0, 0], [1, 0, 0], [0.1, 0, 0]]
+    estimate = [[2, 1.9, 0], [2, 2.1, 0], [np.nan] * 3, [-1, 0, 0]]
+    assert direction_share([series(truth, estimate)]) == pytest.approx(50)
+
+
+def test_static_share_asks_for_every_axis():
+    estimate = [[0.05, -0.05, 0], [0.01, 0, 0.06], [np.nan] * 3, [0, 0, 0]]
+    still = series([[0, 0, 0]] * 4, estimate, dynamic=False)
+    moving = series([[1, 0, 0]], [[0, 0, 0]])
+    assert static_share([still, moving]) == pytest.approx(100 * 2 / 3)
