@@ -1,8 +1,9 @@
 #pragma once
 /// Point clouds in the PCD format of the Point Cloud Library, version 0.7 (no paper section).
 ///
-/// PCL's reader decodes them (pcd_decoder.h), behind a check of our own (pcd_check.h): alone, it
-/// takes most damaged files for whole.
+/// Nothing of a file is taken on trust. PCL takes a line with too few or too many values for a
+/// point at 0, and what is no number for 0, and reads as many bytes as the header says, wherever
+/// the file ends: here each is an error.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,6 @@ namespace datasets {
 /// @param name for messages
 /// @throws BrokenFrame naming the line or byte at which the file is none, or is not as long as its
 ///   header says.
-/// @throws std::runtime_error if the library that decodes cannot be loaded.
 void parse_pcd(std::string_view content, const std::string& name, std::vector<ldm::Point>& points);
 
 }  // namespace datasets

@@ -28,6 +28,14 @@ Words split(std::string_view line) {
   }
 }
 
+std::string lower_case(std::string_view word) {
+  std::string lower(word);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
 /// Reads the entries, then puts them together.
 class HeaderReader {
  public:
@@ -39,7 +47,7 @@ class HeaderReader {
     take_fields();
     take_points();
     const Words& data = entry("DATA", 1).words;
-    const auto encoding = std::find(kEncodings.begin(), kEncodings.end(), data.front());
+    const auto encoding = std::find(kEncodings.begin(), kEncodings.end(), lower_case(data.front()));
     if (encoding == kEncodings.end()) {
       reject("DATA", "allowed: ascii, binary, binary_compressed");
     }
@@ -107,25 +115,32 @@ class HeaderReader {
   void take_field(std::string_view name, char type, std::size_t size, std::size_t count) {
     constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (name != kNames[axis] || count != 1) continue;
-      header_.xyz[axis] = {type, size, header_.point_size, header_.columns};
+      if (lower_case(name) != kNames[axis] || count != 1) continue;
+      PcdHeader::Field& field = header_.xyz[axis];
+      if (name != kNames[axis] && field.size != 0) continue;  // X, but there is an x
+      field = {type, size, header_.point_size, header_.columns};
     }
     header_.point_size += size * count;
     header_.columns += count;
   }
 
   void take_points() {
-    const std::size_t width = number("WIDTH", entry("WIDTH", 1).words.front(), kMaxPoints);
-    const std::size_t height = entries_.contains("HEIGHT")
-                                   ? number("HEIGHT", entry("HEIGHT", 1).words.front(), kMaxPoints)
-                                   : 1;
-    header_.points = width * height;
+    const bool sized = entries_.contains("WIDTH") || entries_.contains("HEIGHT");
+    if (!sized && entries_.contains("POINTS")) {  // before version 0.6
+      header_.points = count("POINTS");
+      return;
+    }
+    header_.points = count("WIDTH") * (entries_.contains("HEIGHT") ? count("HEIGHT") : 1);
     if (!entries_.contains("POINTS")) return check_points("WIDTH");
-    const std::size_t points = number("POINTS", entry("POINTS", 1).words.front(), kMaxPoints);
+    const std::size_t points = count("POINTS");
     if (points != header_.points) {
       reject("POINTS", "allowed: " + std::to_string(header_.points) + " as WIDTH and HEIGHT say");
     }
     check_points("POINTS");
+  }
+
+  std::size_t count(const std::string& key) {
+    return number(key, entry(key, 1).words.front(), kMaxPoints);
   }
 
   void check_points(const std::string& key) {
