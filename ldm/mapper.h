@@ -20,8 +20,8 @@ class Mapper {
 
   /// Take one scan. An empty scan is valid: it moves the map and ages it. A UAV that jumps by more
   /// than the map finds a fresh map. `listener` may be null.
-  /// @throws InvalidInput on a point, pose or time that is not finite or beyond +-1e7 m, and on
-  /// time going backwards (see scan_check.h); the map is then as it was before the call.
+  /// @throws InvalidInput on a point, pose or time that is not finite or beyond +-1e7 m, a rotation
+  /// that is none, and time going backwards (see scan_check.h); the map is then as it was before.
   virtual void update(const Scan& scan, StageListener* listener = nullptr) = 0;
 
   /// Write the map after the last update; reuses the memory of `map`. Cost: one pass over the map.

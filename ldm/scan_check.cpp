@@ -1,25 +1,35 @@
 #include "ldm/scan_check.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <string_view>
 
 namespace ldm {
 namespace {
 
 constexpr double kFarthest = 1e7;  // [m]: its voxel index still fits 32 bits at 1 cm a voxel
-constexpr double kLargestRotation = 1.001;
+constexpr double kSkew = 1e-3;     // how far from orthonormal a matrix of rounded numbers may be
 
-void check_pose(const Pose& pose, std::string_view name) {
+void check_rotation(const Eigen::Matrix3d& r, const std::string& name) {
   // Nothing that is not a number is within a bound.
-  if ((pose.rotation.array().abs() <= kLargestRotation).all() &&
-      (pose.translation.array().abs() <= kFarthest).all()) {
-    return;
-  }
+  const Eigen::Matrix3d skew = r.transpose() * r - Eigen::Matrix3d::Identity();
+  if ((skew.array().abs() <= kSkew).all() && r.determinant() > 0) return;
   std::ostringstream message;
-  message << "scan." << name << ": translation (" << pose.translation.x() << ", "
-          << pose.translation.y() << ", " << pose.translation.z()
-          << ") m; allowed: a rotation matrix, and coordinates within +-1e7 m";
+  message << name << ".rotation = "
+          << r.format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", "; ", "", "", "[", "]"))
+          << ": allowed: a rotation matrix: orthonormal within " << kSkew << ", determinant +1";
+  throw InvalidInput(message.str());
+}
+
+void check_pose(const Pose& pose, const std::string& name) {
+  check_rotation(pose.rotation, name);
+  const Eigen::Vector3d& t = pose.translation;
+  if ((t.array().abs() <= kFarthest).all()) return;
+  std::ostringstream message;
+  message << name << ".translation = (" << t.x() << ", " << t.y() << ", " << t.z()
+          << ") m: allowed: coordinates within +-1e7 m";
   throw InvalidInput(message.str());
 }
 
@@ -51,8 +61,8 @@ void check_scan(const Scan& scan, std::optional<double> previous_time) {
                        " s: time goes backwards; allowed: at least " +
                        std::to_string(*previous_time) + " s, the time of the scan before");
   }
-  check_pose(scan.T_world_uav, "T_world_uav");
-  check_pose(scan.T_world_sensor, "T_world_sensor");
+  check_pose(scan.T_world_uav, "scan.T_world_uav");
+  check_pose(scan.T_world_sensor, "scan.T_world_sensor");
   check_points(scan.points, "points");
   check_points(scan.no_returns, "no_returns");
 }

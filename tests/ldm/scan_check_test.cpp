@@ -83,24 +83,43 @@ TEST(ScanCheckTest, NamesTheFirstBadPointAndItsValue) {
   EXPECT_EQ(said, "scan.points[5] = (1, inf, -2): allowed: coordinates within +-1e7 m");
 }
 
-TEST(ScanCheckTest, RefusesPoses) {
+TEST(ScanCheckTest, RefusesPlaces) {
   for (const double bad : {kNan, kInfinity, -kInfinity, 1.1e7, -1.1e7}) {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string uav = refusal([&](Scan& s) { s.T_world_uav.translation[axis] = bad; });
-      EXPECT_EQ(uav.find("scan.T_world_uav: translation ("), 0u);
-      EXPECT_NE(uav.find("allowed: a rotation matrix, and coordinates within +-1e7 m"),
-                std::string::npos);
+      EXPECT_EQ(uav.find("scan.T_world_uav.translation = ("), 0u) << uav;
+      EXPECT_NE(uav.find(") m: allowed: coordinates within +-1e7 m"), std::string::npos);
       EXPECT_EQ(refusal([&](Scan& s) {
                   s.T_world_sensor.translation[axis] = bad;
-                }).find("scan.T_world_sensor: "),
+                }).find("scan.T_world_sensor.translation = ("),
                 0u);
     }
   }
+}
+
+TEST(ScanCheckTest, RefusesMatricesThatAreNoRotations) {
   for (int i = 0; i < 9; ++i) {
     EXPECT_NE(refusal([&](Scan& s) { s.T_world_uav.rotation(i / 3, i % 3) = kNan; }), "");
     EXPECT_NE(refusal([&](Scan& s) { s.T_world_sensor.rotation(i / 3, i % 3) = kInfinity; }), "");
     EXPECT_NE(refusal([&](Scan& s) { s.T_world_sensor.rotation(i / 3, i % 3) = -1.1; }), "");
   }
+  EXPECT_NE(refusal([](Scan& s) { s.T_world_uav.rotation.setZero(); }), "");
+  EXPECT_NE(refusal([](Scan& s) { s.T_world_uav.rotation.setOnes(); }), "");
+  EXPECT_NE(refusal([](Scan& s) { s.T_world_sensor.rotation *= 1.01; }), "");
+  EXPECT_EQ(refusal([](Scan& s) { s.T_world_sensor.rotation(2, 2) = -1; }),  // mirrored
+            "scan.T_world_sensor.rotation = [1, 0, 0; 0, 1, 0; 0, 0, -1]: allowed: a rotation "
+            "matrix: orthonormal within 0.001, determinant +1");
+}
+
+TEST(ScanCheckTest, TakesRotationsOfRoundedNumbers) {
+  EXPECT_EQ(refusal([](Scan& s) {
+              s.T_world_sensor.rotation << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
+            }),
+            "");
+  EXPECT_EQ(refusal([](Scan& s) {
+              s.T_world_uav.rotation << 0.7071, -0.7071, 0, 0.7071, 0.7071, 0, 0, 0, 1;
+            }),
+            "");
 }
 
 }  // namespace
