@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "experiments/method/map_check.h"
 #include "experiments/metrics/cluster_tracks.h"
 #include "experiments/metrics/matching.h"
 #include "experiments/metrics/truth_grid.h"
@@ -98,6 +99,7 @@ Evaluation evaluate(const Method& method, const ldm::Parameters& parameters,
     mapper->update(frame.scan, &result.clock);
     result.clock.end_frame();
     mapper->read(map);
+    check_map(map, method.name, frame.index);
     scorer.add(frame, map);
     if (options.observer) options.observer(frame, map);
     ++result.frames;

@@ -41,6 +41,7 @@ struct EvaluationOptions {
 
 /// Every frame of `source` through a new mapper of that method.
 /// What source, mapper and observer throw passes through.
+/// @throws std::runtime_error on a map that is none (see map_check.h).
 Evaluation evaluate(const Method& method, const ldm::Parameters& parameters,
                     datasets::FrameSource& source, const EvaluationOptions& options);
 

@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -55,6 +57,15 @@ void check_interface(const fs::path& file, int version) {
                    "; build it with the library of this program");
 }
 
+/// Records and folders are named after methods.
+void check_name(const fs::path& file, std::string_view name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+  if (!name.empty() && plain) return;
+  refuse(file, "method \"" + std::string(name) + "\": allowed: a name of letters, digits, _ and -");
+}
+
 PluginFile describe(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string contents{std::istreambuf_iterator<char>(stream), {}};
@@ -69,6 +80,7 @@ void load_plugin(const fs::path& file) {
   std::vector<ldm::Method> rows;
   find<Methods>(file, library, "ldm_plugin_methods")(rows);
   for (const ldm::Method& row : rows) {
+    check_name(file, row.name);
     if (row.create == nullptr) refuse(file, "method " + std::string(row.name) + " has no create");
   }
   try {

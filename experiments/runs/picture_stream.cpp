@@ -1,5 +1,6 @@
 #include "experiments/runs/picture_stream.h"
 
+#include "experiments/method/map_check.h"
 #include "experiments/pictures/map_picture.h"
 #include "experiments/runs/run_summary.h"
 
@@ -37,6 +38,7 @@ bool PictureStream::next() {
   if (!source_->next(frame_)) return false;
   mapper_->update(frame_.scan);
   mapper_->read(map_);
+  check_map(map_, request_.method, frame_.index);
   const double now = frame_.scan.time;
   colour_of_ = colours_.next(now, map_.clusters, tracks_.next(now, map_.clusters));
   return true;

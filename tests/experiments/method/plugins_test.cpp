@@ -52,6 +52,43 @@ TEST(Plugins, WithABadRowAddNone) {
 
 class PluginProgram : public Program {};
 
+TEST_F(PluginProgram, RefusesNamesThatNoFileMayHave) {
+  const std::string list = "methods --plugin " + kPlugins + "bad_names.so";
+  for (const std::string name : {"", "../../x y", "a.b", "a/b"}) {
+    const Result result = ldm(list, "LDM_TEST_NAME='" + name + "'");
+    EXPECT_EQ(result.code, 2) << name;
+    EXPECT_NE(result.error.find("bad_names.so: method \"" + name +
+                                "\": allowed: a name of letters, digits, _ and -\n"),
+              std::string::npos)
+        << result.error;
+  }
+  EXPECT_EQ(ldm(list, "LDM_TEST_NAME=a_B-9").code, 0);
+}
+
+TEST_F(PluginProgram, AMapThatIsNoneFailsItsTrial) {
+  const std::pair<std::string, std::string> faults[] = {
+      {"not_a_number", "not_a_number, frame 2: map.occupancy[4] = nan: allowed: 0 to 1"},
+      {"short_array", "short_array, frame 2: length of map.occupancy = 100: allowed: 32768, "},
+      {"wild_label", "wild_label, frame 2: map.labels[8] = 999: allowed: -1 to "},
+      {"wild_cluster", "].velocity = (nan, 0, 0): allowed: finite numbers"}};
+  const std::string study = write_study();
+  const std::string plugin = " --plugin " + kPlugins + "bad_maps.so";
+  for (const auto& [method, message] : faults) {
+    const Result trial = ldm("trial " + study + " --method " + method + plugin + " scenario1." +
+                             method + ".s001 -o r.json");
+    EXPECT_EQ(trial.code, 1) << method;
+    EXPECT_NE(trial.error.find(message), std::string::npos) << trial.error;
+    const std::string record = folder_.read("r.json");
+    EXPECT_NE(record.find("\"status\": \"failed\""), std::string::npos) << method;
+    EXPECT_NE(record.find(message), std::string::npos) << record;
+    EXPECT_EQ(record.find("\"scores\""), std::string::npos) << method;
+  }
+  const Result picture =
+      ldm("render wild_label scenario1 --frame 3 -o p.png --set particles.count=500" + plugin);
+  EXPECT_EQ(picture.code, 1);
+  EXPECT_NE(picture.error.find("wild_label, frame 2: map.labels[8]"), std::string::npos);
+}
+
 TEST_F(PluginProgram, ListsTheirMethodsAndParameters) {
   EXPECT_NE(ldm("methods" + kExample).out.find("fading_buffer  "), std::string::npos);
   EXPECT_EQ(ldm("methods").out.find("fading_buffer  "), std::string::npos);

@@ -1,0 +1,107 @@
+#include "experiments/method/map_check.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace experiments {
+namespace {
+
+struct Place {
+  std::string_view method;
+  std::int64_t frame;
+};
+
+template <class Value>
+[[noreturn]] void refuse(const Place& place, const std::string& field, const Value& value,
+                         const std::string& allowed) {
+  std::ostringstream message;
+  message << place.method << ", frame " << place.frame << ": " << field << " = " << value
+          << ": allowed: " << allowed;
+  throw std::runtime_error(message.str());
+}
+
+std::string at(const char* array, std::size_t i) {
+  return std::string(array) + '[' + std::to_string(i) + ']';
+}
+
+template <class Vector>
+std::string text_of(const Vector& v) {
+  std::ostringstream text;
+  text << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
+  return text.str();
+}
+
+void check_shape(const ldm::LocalMap& map, const Place& place) {
+  constexpr int kMostVoxels = 4096;
+  constexpr int kFarthest = 2'000'000'000;  // the other end of the window is an int, too
+  const ldm::VoxelBox& window = map.window;
+  if (!((window.size.array() >= 1).all() && (window.size.array() <= kMostVoxels).all())) {
+    refuse(place, "map.window.size", text_of(window.size), "1 to 4096 voxels along each axis");
+  }
+  if (!((window.origin.array() >= -kFarthest).all() &&
+        (window.origin.array() <= kFarthest).all())) {
+    refuse(place, "map.window.origin", text_of(window.origin), "within +-2e9 voxels");
+  }
+  if (!(map.resolution > 0 && std::isfinite(map.resolution))) {
+    refuse(place, "map.resolution", map.resolution, "a number above 0");
+  }
+  const std::string length = std::to_string(window.count()) + ", the voxels of the window";
+  if (map.occupancy.size() != window.count()) {
+    refuse(place, "length of map.occupancy", map.occupancy.size(), length);
+  }
+  if (map.labels.size() != window.count()) {
+    refuse(place, "length of map.labels", map.labels.size(), length);
+  }
+}
+
+/// One pass without branches decides; the culprit is looked for only if there is one.
+template <class Value, class Good>
+void check_all(const std::vector<Value>& values, const Place& place, const char* name,
+               const std::string& allowed, Good good) {
+  int bad = 0;
+  for (const Value value : values) bad |= static_cast<int>(!good(value));
+  if (bad == 0) return;
+  std::size_t i = 0;
+  while (good(values[i])) ++i;
+  refuse(place, at(name, i), values[i], allowed);
+}
+
+void check_voxels(const ldm::LocalMap& map, const Place& place) {
+  // Bitwise, so that no branch is left; nothing that is not a number is within a bound.
+  check_all(map.occupancy, place, "map.occupancy", "0 to 1", [](float p) {
+    return static_cast<bool>(static_cast<int>(p >= 0.0F) & static_cast<int>(p <= 1.0F));
+  });
+  const auto clusters = static_cast<std::uint32_t>(map.clusters.size());
+  const std::string labels =
+      clusters == 0 ? "-1: there are no clusters"
+                    : "-1 to " + std::to_string(clusters - 1) + ", the positions in map.clusters";
+  check_all(map.labels, place, "map.labels", labels, [clusters](std::int32_t label) {
+    return static_cast<std::uint32_t>(label) + 1 <= clusters;  // -1 becomes 0
+  });
+}
+
+void check_cluster(const ldm::Cluster& cluster, const std::string& name, const Place& place) {
+  const auto check_vector = [&](const Eigen::Vector3f& v, const char* field, bool positive) {
+    if (v.allFinite() && (!positive || (v.array() >= 0).all())) return;
+    refuse(place, name + field, text_of(v),
+           positive ? "finite numbers from 0 on" : "finite numbers");
+  };
+  check_vector(cluster.position, ".position", false);
+  check_vector(cluster.size, ".size", true);
+  check_vector(cluster.velocity, ".velocity", false);
+  if (cluster.voxels < 0) refuse(place, name + ".voxels", cluster.voxels, "0 or more");
+}
+
+}  // namespace
+
+void check_map(const ldm::LocalMap& map, std::string_view method, std::int64_t frame) {
+  const Place place{method, frame};
+  check_shape(map, place);
+  check_voxels(map, place);
+  for (std::size_t i = 0; i < map.clusters.size(); ++i) {
+    check_cluster(map.clusters[i], at("map.clusters", i), place);
+  }
+}
+
+}  // namespace experiments
