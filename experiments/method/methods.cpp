@@ -7,6 +7,7 @@
 #include "baselines/circular_buffer.h"
 #include "baselines/circular_buffer_pf.h"
 #include "baselines/current_scan.h"
+#include "baselines/empty_map.h"
 #include "baselines/octomap.h"
 #include "datasets/files/text.h"
 #include "ldm/local_dynamic_map.h"
@@ -51,6 +52,10 @@ std::deque<Method>& table() {
        .help = "only the voxels hit by the current scan are occupied: no memory",
        .parameters = {"map", "sensor_model"},
        .create = create<baselines::CurrentScan>},
+      {.name = "empty_map",
+       .help = "knows nothing: every voxel is unknown; shows which scores silence wins",
+       .parameters = {"map"},
+       .create = create<baselines::EmptyMap>},
   };
   return rows;
 }

@@ -15,6 +15,8 @@ void OccupancyTally::add(const ldm::LocalMap& map, const TruthGrid& truth) {
     case2 += !solid && occupied;
     case1_visible += visible && !occupied;
     case2_visible += !visible && occupied;
+    seen += visible && occupied;
+    invented += !visible && !solid && occupied;
     case2_grown += occupied && !solid && truth.objects_near(v).count == 0;
     if (p != 0.5f) {
       ++known;

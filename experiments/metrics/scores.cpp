@@ -51,6 +51,10 @@ Value f1(const Tallies& t) {
   const OccupancyTally& o = t.occupancy;
   return ratio(2 * o.true_positives, 2 * o.true_positives + o.case1 + o.case2);
 }
+Value iou_visible(const Tallies& t) {
+  const OccupancyTally& o = t.occupancy;
+  return ratio(o.seen, o.seen + o.case1_visible + o.invented);
+}
 Value brier(const Tallies& t) {
   return ratio(t.occupancy.squared_error, static_cast<double>(t.occupancy.known));
 }
@@ -102,6 +106,7 @@ constexpr Score kScores[] = {
     {"precision", precision},
     {"recall", recall},
     {"f1", f1},
+    {"iou_visible", iou_visible},
     {"brier", brier},
     {"static_velocity_error_mps", static_error},
     {"dynamic_velocity_error_mps", dynamic_error},

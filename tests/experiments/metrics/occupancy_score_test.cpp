@@ -57,6 +57,38 @@ TEST_F(OccupancyScore, PrecisionRecallAndF1) {
   EXPECT_DOUBLE_EQ(score(tallies, "f1"), 2.0 / 5);
 }
 
+// Seen: (1, 1, 1); invented: (3, 1, 1) and (4, 4, 4); the hidden solid voxel (2, 1, 1) is left out.
+TEST_F(OccupancyScore, IntersectionOverUnionIsOfVisibleVoxels) {
+  EXPECT_DOUBLE_EQ(score(tallies, "iou_visible"), 1.0 / 3);
+}
+
+TEST_F(OccupancyScore, AHiddenSolidVoxelCalledOccupiedIsNoFaultOfTheIntersection) {
+  datasets::Truth truth;
+  truth.objects = {box_object(0, {1, 1, 1}, {2, 1, 1})};
+  truth.noise_free_hits = {centre({1, 1, 1}), centre({0, 3, 3})};
+  ldm::LocalMap map = unknown_map(5);
+  add_cluster(map, {{1, 1, 1}, {2, 1, 1}});
+  TruthGrid grid;
+  grid.fill(truth, map.window, map.resolution);
+  Tallies one;
+  one.occupancy.add(map, grid);
+  EXPECT_DOUBLE_EQ(score(one, "iou_visible"), 1.0 / 2);  // (0, 3, 3) is missed
+}
+
+TEST(OccupancyScores, AMapThatKnowsNothingWinsTheAccuracyOnly) {
+  datasets::Truth truth;
+  truth.objects = {box_object(0, {1, 1, 1}, {2, 1, 1})};
+  truth.noise_free_hits = {centre({1, 1, 1})};
+  const ldm::LocalMap map = unknown_map(5);
+  TruthGrid grid;
+  grid.fill(truth, map.window, map.resolution);
+  Tallies nothing;
+  nothing.occupancy.add(map, grid);
+  EXPECT_DOUBLE_EQ(score(nothing, "accuracy_pct"), 100.0 * 123 / 125);
+  EXPECT_EQ(score(nothing, "f1"), 0);
+  EXPECT_EQ(score(nothing, "iou_visible"), 0);
+}
+
 TEST_F(OccupancyScore, BrierIsOverKnownVoxels) {
   const double expected = (0.1 * 0.1 + 0.75 * 0.75 + 0.6 * 0.6 + 0.2 * 0.2) / 4;
   EXPECT_NEAR(score(tallies, "brier"), expected, 1e-7);
