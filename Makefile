@@ -280,6 +280,16 @@ plot: study-named setup ## tables and figures of STUDY=name, from the results th
 studies: program ## list the studies: number of trials, estimated time on JOBS cores
 	@$(PYTHON) experiments/harness/list_studies.py --program $(LDM) --results $(RESULTS) --jobs '$(JOBS)' --serial timing
 
+# Each stage by itself: STAGE=stage1. A trial that fails (no room for a world) costs its condition alone.
+CONDITIONS_STAGES = stage1 stage2a stage2b stage3
+.PHONY: conditions
+conditions: program ## under which conditions the paper's claims hold; STAGE=name runs one stage: docs/conditions.md
+	@for stage in $(or $(STAGE),$(CONDITIONS_STAGES)); do \
+	  $(PYTHON) experiments/conditions/search.py $$stage --program $(LDM) --results $(RESULTS) \
+	    --jobs '$(JOBS)' || [ $$? = 1 ] || exit 2; \
+	  $(PYTHON) -m analysis.conditions.rank $$stage --results $(RESULTS) || exit; \
+	done
+
 .PHONY: timing
 timing: program ## computation time of each stage, trials one after the other
 	@$(call run_study,timing)

@@ -251,11 +251,18 @@ class CommandLine {
 
   void add_trial() {
     CLI::App* command =
-        add("trial", "run one trial of a study and write its record",
-            "ldm trial table1 scenario1.ldm.s001 -o record.json", [this] { return run_trial(); });
+        add("trial", "run one trial of a study and write its record, or several",
+            "ldm trial table1 scenario1.ldm.s001 -o record.json", [this] { return run_trials(); });
     add_study_options(command);
-    command->add_option("ID", trial_.id, "an id that `ldm trials STUDY` lists")->required();
-    command->add_option("-o,--output", record_file_, "FILE.json")->required();
+    command
+        ->add_option("ID", trial_ids_,
+                     "an id that `ldm trials STUDY` lists; of several, successive ones in the same "
+                     "world share it")
+        ->required();
+    command
+        ->add_option("-o,--output", records_,
+                     "FILE.json; of several trials the folder of their ID.json")
+        ->required();
     command->add_flag("--serial", trial_.serial,
                       "nothing else runs beside it: mark the times as such and keep all samples");
   }
@@ -270,13 +277,18 @@ class CommandLine {
                                    "instead of the study's methods; may be repeated"));
   }
 
-  int run_trial() {
+  int run_trials() {
     trial_.data_dir = data_dir_;
     trial_.plugins = plugins_;
-    const experiments::TrialRecord record = experiments::run_trial(trial_);
-    experiments::write_record(record, record_file_);
-    if (!record.error) return kGood;
-    return complain("trial " + record.id + " failed: " + *record.error, kFailed);
+    int code = kGood;
+    experiments::run_trials(trial_, trial_ids_, [&](const experiments::TrialRecord& record) {
+      const bool alone = trial_ids_.size() == 1;
+      experiments::write_record(record, alone ? records_ : records_ / (record.id + ".json"));
+      if (record.error) {
+        code = complain("trial " + record.id + " failed: " + *record.error, kFailed);
+      }
+    });
+    return code;
   }
 
   DataFolders folders() const { return DataFolders(data_dir_); }
@@ -293,7 +305,8 @@ class CommandLine {
   experiments::RenderRequest render_;
   experiments::ViewRequest view_;
   experiments::TrialRequest trial_;
-  std::filesystem::path record_file_;
+  std::vector<std::string> trial_ids_;
+  std::filesystem::path records_;
 };
 
 }  // namespace

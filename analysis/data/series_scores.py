@@ -18,6 +18,8 @@ LEAST_S = 0.5
 """Shortest stretch of constant true velocity that counts [s]."""
 MOVING_MPS = 0.2
 """A slower object has no direction worth a score [m/s]; the LDM's own threshold velocity."""
+REACHED = 0.8
+"""The estimate has followed when it has this share of the true velocity."""
 RIGHT_WITHIN_DEG = 45
 """A direction is right if it is off by no more [deg]."""
 
@@ -35,6 +37,20 @@ def fluctuation(series: list[ObjectSeries]) -> float:
                 deviation = estimate - np.nanmean(estimate, axis=0)
                 squares.append(np.sum(deviation**2, axis=1))
     return _root_mean(np.concatenate(squares))
+
+
+def response(series: list[ObjectSeries]) -> float:
+    """Mean time from when a true velocity became constant until REACHED of it are estimated in its
+    direction [s]; dynamic objects in motion. A stretch in which that never happens counts with its
+    length. NaN without a stretch."""
+    times = []
+    for found in series:
+        for rows in _constant_runs(found) if found.dynamic else ():
+            truth, time = found.truth[rows.start], found.time[rows]
+            share = found.estimate[rows] @ truth / (truth @ truth)
+            reached = np.flatnonzero(share >= REACHED)
+            times.append(time[reached[0] if len(reached) else -1] - time[0])
+    return _mean(np.array(times))
 
 
 def direction_share(series: list[ObjectSeries]) -> float:
@@ -88,6 +104,17 @@ def score_trials(study: Study, scenario: str, method: str, score: TrialScore) ->
     return pd.Series(found, dtype=float).dropna()
 
 
+def better_frames(ours: list[ObjectSeries], theirs: list[ObjectSeries]) -> float:
+    """Share of the frames of static objects, of those both have an estimate in, in which the first
+    errs less [%]."""
+    first, second = ({s.object: s for s in series if not s.dynamic} for series in (ours, theirs))
+    less = [np.zeros(0)]
+    for number in sorted(first.keys() & second.keys()):
+        a, b = _at_common_frames(first[number], second[number])
+        less.append((a < b)[~np.isnan(a + b)])
+    return 100 * _mean(np.concatenate(less))
+
+
 def better_share(study: Study, scenario: str, pair: tuple[str, str]) -> pd.Series:
     """Replicate -> share of the frames of static objects in which the first errs less [%]."""
     files = {m: study.trials[(study.trials["scenario"] == scenario)
@@ -95,15 +122,7 @@ def better_share(study: Study, scenario: str, pair: tuple[str, str]) -> pd.Serie
              for m in pair}  # fmt: skip
     shares = {}
     for replicate in sorted(set(files[pair[0]].index) & set(files[pair[1]].index)):
-        ours, theirs = (
-            {s.object: s for s in read_series(files[method][replicate]) if not s.dynamic}
-            for method in pair
-        )
-        less = [np.zeros(0)]
-        for number in ours.keys() & theirs.keys():
-            a, b = _at_common_frames(ours[number], theirs[number])
-            less.append((a < b)[~np.isnan(a + b)])
-        shares[replicate] = 100 * _mean(np.concatenate(less))
+        shares[replicate] = better_frames(*(read_series(files[m][replicate]) for m in pair))
     return pd.Series(shares, dtype=float).dropna()
 
 
@@ -114,19 +133,32 @@ def _at_common_frames(a: ObjectSeries, b: ObjectSeries) -> tuple[np.ndarray, np.
 
 def _constant_stretches(found: ObjectSeries) -> list[slice]:
     """Rows of constant true velocity in motion, without their first SETTLED_S."""
+    stretches = []
+    for whole in _constant_runs(found):
+        time = found.time[whole]
+        settled = whole.start + int(np.searchsorted(time - time[0], SETTLED_S))
+        if not np.isnan(found.estimate[settled : whole.stop]).all():
+            stretches.append(slice(settled, whole.stop))
+    return stretches
+
+
+def _constant_runs(found: ObjectSeries) -> list[slice]:
+    """Rows of constant true velocity in motion, of at least SETTLED_S + LEAST_S."""
     begins = np.ones(len(found.frame), dtype=bool)
     steps = np.linalg.norm(np.diff(found.truth, axis=0), axis=1)
     begins[1:] = (np.diff(found.frame) != 1) | (steps > 1e-6)
     edges = [*np.flatnonzero(begins), len(found.frame)]
-    stretches = []
-    for begin, end in zip(edges, edges[1:]):
-        settled = begin + np.searchsorted(found.time[begin:end] - found.time[begin], SETTLED_S)
-        long_enough = settled < end and found.time[end - 1] - found.time[settled] >= LEAST_S
-        moving = np.linalg.norm(found.truth[begin]) > MOVING_MPS
-        matched = long_enough and not np.isnan(found.estimate[settled:end]).all()
-        if moving and matched:
-            stretches.append(slice(int(settled), int(end)))
-    return stretches
+    return [
+        slice(int(begin), int(end))
+        for begin, end in zip(edges, edges[1:])
+        if np.linalg.norm(found.truth[begin]) > MOVING_MPS
+        and _lasts(found.time[begin:end])
+    ]
+
+
+def _lasts(time: np.ndarray) -> bool:
+    settled = np.searchsorted(time - time[0], SETTLED_S)
+    return settled < len(time) and time[-1] - time[settled] >= LEAST_S
 
 
 def _mean(values: np.ndarray) -> float:

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "experiments/method/map_check.h"
@@ -87,26 +88,54 @@ class Scorer {
 
 }  // namespace
 
+struct MethodEvaluation::State {
+  State(const Method& method, const ldm::Parameters& parameters, const EvaluationOptions& how)
+      : name(method.name),
+        options(how),
+        mapper(method.create(parameters)),
+        scorer(method.finds_clusters, how.series) {}
+
+  std::string name;
+  EvaluationOptions options;
+  std::unique_ptr<ldm::Mapper> mapper;
+  ldm::LocalMap map;
+  Scorer scorer;
+  Evaluation result;
+};
+
+MethodEvaluation::MethodEvaluation(const Method& method, const ldm::Parameters& parameters,
+                                   const EvaluationOptions& options)
+    : state_(std::make_unique<State>(method, parameters, options)) {}
+MethodEvaluation::~MethodEvaluation() = default;
+MethodEvaluation::MethodEvaluation(MethodEvaluation&&) noexcept = default;
+MethodEvaluation& MethodEvaluation::operator=(MethodEvaluation&&) noexcept = default;
+
+void MethodEvaluation::add(const datasets::Frame& frame) {
+  State& state = *state_;
+  state.result.clock.start_frame();
+  state.mapper->update(frame.scan, &state.result.clock);
+  state.result.clock.end_frame();
+  state.mapper->read(state.map);
+  check_map(state.map, state.name, frame.index);
+  state.scorer.add(frame, state.map);
+  if (state.options.observer) state.options.observer(frame, state.map);
+  ++state.result.frames;
+}
+
+Evaluation MethodEvaluation::finish() {
+  state_->result.tallies = state_->scorer.finish();
+  state_->result.series = state_->scorer.take_series();
+  return std::move(state_->result);
+}
+
 Evaluation evaluate(const Method& method, const ldm::Parameters& parameters,
                     datasets::FrameSource& source, const EvaluationOptions& options) {
-  const std::unique_ptr<ldm::Mapper> mapper = method.create(parameters);
-  Scorer scorer(method.finds_clusters, options.series);
-  Evaluation result;
+  MethodEvaluation evaluation(method, parameters, options);
   datasets::Frame frame;
-  ldm::LocalMap map;
-  while ((!options.frames || result.frames < *options.frames) && source.next(frame)) {
-    result.clock.start_frame();
-    mapper->update(frame.scan, &result.clock);
-    result.clock.end_frame();
-    mapper->read(map);
-    check_map(map, method.name, frame.index);
-    scorer.add(frame, map);
-    if (options.observer) options.observer(frame, map);
-    ++result.frames;
+  for (std::int64_t k = 0; (!options.frames || k < *options.frames) && source.next(frame); ++k) {
+    evaluation.add(frame);
   }
-  result.tallies = scorer.finish();
-  result.series = scorer.take_series();
-  return result;
+  return evaluation.finish();
 }
 
 }  // namespace experiments

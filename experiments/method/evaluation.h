@@ -2,6 +2,7 @@
 /// A method over a source of frames: scored, timed and watched (paper Sec. 4.1.2-4.1.3).
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,26 @@ struct EvaluationOptions {
   bool series = false;                 ///< keep the velocity series; memory grows with the frames
   /// Called after each frame, outside of the timing; may be empty.
   std::function<void(const datasets::Frame&, const ldm::LocalMap&)> observer;
+};
+
+/// A new mapper of a method on its way through frames; several may share the frames of one source.
+class MethodEvaluation {
+ public:
+  MethodEvaluation(const Method& method, const ldm::Parameters& parameters,
+                   const EvaluationOptions& options);
+  ~MethodEvaluation();
+  MethodEvaluation(MethodEvaluation&&) noexcept;
+  MethodEvaluation& operator=(MethodEvaluation&&) noexcept;
+
+  /// What mapper and observer throw passes through.
+  /// @throws std::runtime_error on a map that is none (see map_check.h).
+  void add(const datasets::Frame& frame);
+  /// What was found; nothing may be added afterwards.
+  Evaluation finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 /// Every frame of `source` through a new mapper of that method.

@@ -1,6 +1,7 @@
 #pragma once
 /// One trial of a study, from its id to its record (experiments/RECORD.md).
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,14 @@ struct TrialRequest {
 /// Runs the trial. A failure inside of it (simulation, method) is in the record's `error`.
 /// @throws ldm::InvalidInput on a bad study, id or parameter: there is then no record.
 TrialRecord run_trial(const TrialRequest& request);
+
+/// Runs several trials of the study, and hands over each record when it is there. Successive ones
+/// in the same world share it, frame by frame: it is drawn and scanned once. The records are those
+/// of `run_trial`. A request for serial timing shares nothing.
+/// @param request without `id`
+/// @throws ldm::InvalidInput as `run_trial`, before the first trial.
+void run_trials(const TrialRequest& request, const std::vector<std::string>& ids,
+                const std::function<void(const TrialRecord&)>& done);
 
 /// Writes the record, under its final name only when it is complete.
 /// @throws ldm::InvalidInput if the folder cannot be written, std::runtime_error if the disk is

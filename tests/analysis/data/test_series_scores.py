@@ -4,7 +4,13 @@ import numpy as np
 import pytest
 
 from analysis.data.series import ObjectSeries
-from analysis.data.series_scores import direction_share, fluctuation, static_share
+from analysis.data.series_scores import (
+    better_frames,
+    direction_share,
+    fluctuation,
+    response,
+    static_share,
+)
 
 
 def series(truth, estimate, dynamic=True, first=0):
@@ -44,3 +50,25 @@ def test_static_share_asks_for_every_axis():
     still = series([[0, 0, 0]] * 4, estimate, dynamic=False)
     moving = series([[1, 0, 0]], [[0, 0, 0]])
     assert static_share([still, moving]) == pytest.approx(100 * 2 / 3)
+
+
+def test_response_is_the_time_until_most_of_the_velocity_is_estimated():
+    truth = [[0, 0, 0]] * 5 + [[0, -1, 0]] * 30
+    # 79 % in the right direction is not enough; sideways motion does not count.
+    estimate = [[0, 0, 0]] * 5 + [[3, -0.79, 0]] * 12 + [[0, -0.81, 0]] * 18
+    assert response([series(truth, estimate)]) == pytest.approx(1.2)
+
+
+def test_a_velocity_never_followed_counts_with_its_length():
+    truth = [[1, 0, 0]] * 31
+    assert response([series(truth, [[0.5, 0, 0]] * 31)]) == pytest.approx(3)
+    assert np.isnan(response([series(truth, truth, dynamic=False)]))
+    assert np.isnan(response([series(truth[:10], truth[:10])]))  # too short to say
+
+
+def test_better_frames_are_those_in_which_the_first_errs_less():
+    still = [[0, 0, 0]] * 4
+    ours = series(still, [[0.1, 0, 0], [0.3, 0, 0], [np.nan] * 3, [0.1, 0, 0]], dynamic=False)
+    theirs = series(still, [[0.2, 0, 0]] * 4, dynamic=False)
+    assert better_frames([ours], [theirs]) == pytest.approx(100 * 2 / 3)
+    assert np.isnan(better_frames([ours], [series(still, still)]))

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "experiments/study/seeds.h"
 #include "tests/temporary_folder.h"
@@ -15,6 +16,13 @@ const char kTiny[] =
     "seeds = 2\nframes = 24\nseries = true\n"
     "[set]\n\"particles.count\" = 2000\n\"map.voxels\" = 24\n"
     "[sweep.axes]\n\"map.resolution_m\" = [0.2, 0.3]\n";
+
+/// A method whose map is none: its trials fail at the first frame.
+class Breaks : public ldm::Mapper {
+ public:
+  void update(const ldm::Scan&, ldm::StageListener*) override {}
+  void read(ldm::LocalMap&) const override {}
+};
 
 class TrialOfATinyStudy : public testing::Test {
  protected:
@@ -124,6 +132,47 @@ TEST_F(TrialOfATinyStudy, ThatFailsSaysSoInItsRecord) {
   EXPECT_NE(text.find("\"status\": \"failed\",\n \"error\": \""), std::string::npos);
   EXPECT_NE(text.find("\"command\": \"ldm trial "), std::string::npos);
   EXPECT_EQ(text.find("\"scores\""), std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, SharesItsWorldWithOthersAndIsTheSame) {
+  const std::vector<std::string> ids = {
+      "scenario1.ldm.p01.s001", "scenario1.circular_buffer.p02.s001", "scenario1.ldm.p02.s002"};
+  std::vector<std::string> found;
+  run_trials(request(""), ids, [&](const TrialRecord& record) {
+    EXPECT_EQ(record.id, ids[found.size()]);
+    found.push_back(record_text(record));
+  });
+  ASSERT_EQ(found.size(), ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    EXPECT_EQ(found[i], record_text(run_trial(request(ids[i]))));
+  }
+}
+
+TEST_F(TrialOfATinyStudy, RefusesAnUnknownIdBeforeTheFirstRuns) {
+  int ran = 0;
+  EXPECT_THROW(run_trials(request(""), {"scenario1.ldm.p01.s001", "scenario1.ldm.p99.s001"},
+                          [&](const TrialRecord&) { ++ran; }),
+               ldm::InvalidInput);
+  EXPECT_EQ(ran, 0);
+}
+
+TEST_F(TrialOfATinyStudy, ThatFailsLeavesTheOthersInItsWorldAlone) {
+  add_methods({{.name = "breaks",
+                .help = "writes no map",
+                .parameters = {"map"},
+                .create = [](const ldm::Parameters&) -> std::unique_ptr<ldm::Mapper> {
+                  return std::make_unique<Breaks>();
+                }}});
+  TrialRequest breaking = request("");
+  breaking.study = folder_
+                       .write("breaking.toml",
+                              "title = \"breaking\"\nscenarios = [\"scenario1\"]\nseeds = 1\n"
+                              "methods = [\"breaks\", \"circular_buffer\"]\nframes = 5\n")
+                       .string();
+  std::vector<bool> failed;
+  run_trials(breaking, {"scenario1.breaks.s001", "scenario1.circular_buffer.s001"},
+             [&](const TrialRecord& record) { failed.push_back(record.error.has_value()); });
+  EXPECT_EQ(failed, std::vector<bool>({true, false}));
 }
 
 }  // namespace
