@@ -21,6 +21,23 @@ SHARDS   ?= 4
 CPUS     ?= 1
 SBATCH_FLAGS ?=
 REV      ?=
+TRIAL_SECONDS ?=
+FUZZ_SECONDS  ?= 600
+
+# All of them stand between single quotes where a shell sees them; numbers are checked here, names where
+# they are looked up.
+define newline
+
+
+endef
+quote := '
+digits := 0 1 2 3 4 5 6 7 8 9
+erase = $(if $(1),$(call erase,$(wordlist 2,10,$(1)),$(subst $(firstword $(1)),,$(2))),$(2))
+$(foreach name,STUDY METHODS PLUGIN RESULTS LDM REV,$(if $(findstring $(quote),$($(name)))$(findstring \
+  $(newline),$($(name))),$(error $(name)=$($(name)): a quotation mark or line break is not allowed)))
+$(foreach name,SEEDS FRAMES JOBS SHARDS CPUS TRIAL_SECONDS FUZZ_SECONDS,$(if $($(name)),$(if \
+  $(or $(call erase,$(digits),$($(name))),$(if $(subst 0,,$($(name))),,0)),$(error \
+  $(name)=$($(name)): a whole number of at least 1 is needed))))
 
 BUILD := build$(if $(NATIVE),-native)
 LDM   ?= $(BUILD)/bin/ldm
@@ -41,6 +58,7 @@ help: ## list the targets
 #:   PLUGIN=FILE.so methods from outside, of a study or to compare: docs/variants.md
 #:   SLURM=1        trials over Slurm, as an array of SHARDS=n (4) jobs with CPUS=n (1) each;
 #:                  SBATCH_FLAGS="--time=2:00:00 ..." more options of sbatch: docs/studies.md
+#:   TRIAL_SECONDS=n  after so long a trial is ended (default: a multiple of its estimate)
 #:   REV=revision   of git, to compare the speed with: docs/benchmarks.md
 #:   FUZZ_SECONDS=n of each fuzzer (600)
 
@@ -107,7 +125,7 @@ test: build ## run all tests: GoogleTest through ctest, then pytest
 .PHONY: test-slurm
 test-slurm: program ## a study over a real Slurm of two nodes, one of which is lost: 4 minutes
 	$(call install,tests/slurm/apt-packages.txt)
-	@env -u MAKEFLAGS -u MFLAGS LDM=$(LDM) $(PYTHON) -m pytest tests/slurm/lost_node.py
+	@env -u MAKEFLAGS -u MFLAGS LDM='$(LDM)' $(PYTHON) -m pytest tests/slurm/lost_node.py
 
 .PHONY: test-view
 test-view: view ## the window of `ldm view` and films by ffmpeg, under a virtual screen: 1 minute
@@ -116,7 +134,7 @@ test-view: view ## the window of `ldm view` and films by ffmpeg, under a virtual
 
 .PHONY: test-scale
 test-scale: program ## what a study of 10,000 trials costs beside its trials: docs/studies.md
-	@$(PYTHON) tests/scale/ten_thousand_trials.py --program $(LDM) --jobs '$(JOBS)'
+	@$(PYTHON) tests/scale/ten_thousand_trials.py --program '$(LDM)' --jobs '$(JOBS)'
 
 # The golden fingerprint of all particles and log-odds is among the tests of ldm/.
 .PHONY: test-native
@@ -147,7 +165,6 @@ test-arm: ## ldm/ and its tests, built for 64-bit ARM and run under an emulator:
 	  | sed '/Passed\|^ *Start/d'
 
 # Clang's runtime for fuzzing is not among the packages that building needs.
-FUZZ_SECONDS ?= 600
 fuzz_targets = pcd trajectory kitti mrpt_log
 .PHONY: fuzz
 fuzz: setup ## fuzz the readers of recordings, each for FUZZ_SECONDS (600): docs/recordings.md
@@ -182,9 +199,9 @@ format: setup ## lay out all C++ with clang-format
 bench: $(BUILD)/Makefile ## speed of ours, bound, reference and baselines: results/bench.json, 2 to 4 minutes
 	@$(call compile,ldm_bench ldm_kernels)
 	@$(PYTHON) experiments/benchmarks/bench.py --program $(BUILD)/bin/ldm_bench \
-	  --kernels $(BUILD)/bin/ldm_kernels --results $(RESULTS) $(if $(FRAMES),--frames '$(FRAMES)')
-	@$(PYTHON) -m analysis.tables.bench_table --results $(RESULTS)
-	@$(PYTHON) -m analysis.figures.bench_figures --results $(RESULTS)
+	  --kernels $(BUILD)/bin/ldm_kernels --results '$(RESULTS)' $(if $(FRAMES),--frames '$(FRAMES)')
+	@$(PYTHON) -m analysis.tables.bench_table --results '$(RESULTS)'
+	@$(PYTHON) -m analysis.figures.bench_figures --results '$(RESULTS)'
 
 .PHONY: bench-compare
 bench-compare: $(BUILD)/Makefile ## time of the working tree over that of REV, both measured in turns
@@ -196,14 +213,18 @@ bench-compare: $(BUILD)/Makefile ## time of the working tree over that of REV, b
 # --- Studies ---------------------------------------------------------------------------------------
 
 # $(call run_study,NAME). Times count only where trials run one after the other.
-run_study = $(PYTHON) experiments/harness/run_study.py $(1) --program $(LDM) --results $(RESULTS) \
-  --jobs '$(JOBS)' $(if $(filter timing,$(1)),--serial) $(if $(SEEDS),--seeds '$(SEEDS)') \
-  $(if $(FRAMES),--frames '$(FRAMES)') $(if $(FRESH),--fresh) $(slurm) $(foreach file,$(PLUGIN),--plugin '$(file)')
+run_study = $(PYTHON) experiments/harness/run_study.py '$(1)' --program '$(LDM)' --results '$(RESULTS)' \
+  --jobs '$(JOBS)' $(if $(filter timing,$(call stem,$(1))),--serial) $(if $(SEEDS),--seeds '$(SEEDS)') \
+  $(if $(FRAMES),--frames '$(FRAMES)') $(if $(FRESH),--fresh) \
+  $(if $(TRIAL_SECONDS),--trial-seconds '$(TRIAL_SECONDS)') $(slurm) $(foreach file,$(PLUGIN),--plugin '$(file)')
 slurm = $(if $(SLURM),--shards '$(SHARDS)' --shard-cpus '$(CPUS)' --sbatch-flags='$(subst ','\'',$(SBATCH_FLAGS))')
-# Folder of a study's results, as run_study.py names it.
-folder = $(1)$(if $(FRAMES),-f$(FRAMES))
-# $(call analyse,ROOM.SCRIPT,STUDY)
-analyse = $(PYTHON) -m analysis.$(1) --results $(RESULTS) --study $(call folder,$(2))
+# The program, of whatever build, with the scenarios of this tree.
+program_here = '$(LDM)' --data-dir .
+# Name of a study, which may be given as its file.
+stem = $(basename $(notdir $(1)))
+shortened = $(if $(FRAMES),-f$(FRAMES))
+# $(call analyse,ROOM.SCRIPT,STUDY); the folder of a study's results is named as run_study.py does.
+analyse = $(PYTHON) -m analysis.$(1) --results '$(RESULTS)' --study "$$(basename '$(2)' .toml)$(shortened)"
 
 # Tables and figures of a study; those not named here are sweeps, ablations, or end as one.
 scripts_table1 = tables.table1 figures.velocity_figures
@@ -211,21 +232,22 @@ scripts_velocity = tables.velocity figures.velocity_figures
 scripts_timing = figures.computation_time
 scripts_outdoor = figures.outdoor_figures
 define draw
-$(foreach script,$(or $(scripts_$(STUDY)),figures.sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
+$(foreach script,$(or $(scripts_$(call stem,$(STUDY))),figures.sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
 endef
 
 # Lines of input, JOBS at a time: each in place of {}, or the words of each as arguments.
 each = xargs -P '$(JOBS)' -I{}
 # $(call note_origin,FOLDER): what captions say of recorded worlds and pictures, analysis/data/recorded.py.
-note_origin = printf 'seed = 1\nprogram = "%s"\n' "$$($(LDM) --version)" > $(1)/recorded.toml
+note_origin = printf 'seed = 1\nprogram = "%s"\n' "$$('$(LDM)' --version)" > '$(1)'/recorded.toml
 per_line = xargs -P '$(JOBS)' -L1
 
 # Figure 5 needs a recorded world of each scenario, Figures 6 to 9 the records. Prints what it made.
+worlds = $(RESULTS)/worlds$(shortened)
 define draw_figures
-mkdir -p $(RESULTS)/$(call folder,worlds) && \
-printf '%s\n' scenario1 scenario2 scenario3 | $(each) $(LDM) simulate {} --seed 1 \
-  $(if $(FRAMES),--frames '$(FRAMES)') -o $(RESULTS)/$(call folder,worlds)/{}.rawlog && \
-$(call note_origin,$(RESULTS)/$(call folder,worlds)) && \
+mkdir -p '$(worlds)' && \
+printf '%s\n' scenario1 scenario2 scenario3 | $(each) $(program_here) simulate {} --seed 1 \
+  $(if $(FRAMES),--frames '$(FRAMES)') -o '$(worlds)/{}.rawlog' && \
+$(call note_origin,$(worlds)) && \
 $(call analyse,figures.figure5,worlds) && \
 $(call analyse,figures.velocity_figures,table1)
 endef
@@ -236,12 +258,12 @@ endef
 flight := $(RESULTS)/flight
 flight_pictures := $(addprefix outdoor1.frame,60 112 136 205) $(addprefix outdoor2.frame,60 85 110 200)
 define draw_flight
-mkdir -p $(flight) && rm -f $(flight)/*.frame*.png && \
-printf '%s\n' outdoor1 outdoor2 | $(each) $(LDM) simulate {} --seed 1 -o $(flight)/{}.rawlog && \
+mkdir -p '$(flight)' && rm -f '$(flight)'/*.frame*.png && \
+printf '%s\n' outdoor1 outdoor2 | $(each) $(program_here) simulate {} --seed 1 -o '$(flight)/{}.rawlog' && \
 $(call note_origin,$(flight)) && \
-for picture in $(flight_pictures); do echo ldm $${picture%.*} --seed 1 --set execution.threads=1 \
-  --frame $${picture#*.frame} -o '$(flight)'/$$picture.png; done | $(per_line) $(LDM) render && \
-$(PYTHON) -m analysis.figures.flight_figures --results $(RESULTS)
+for picture in $(flight_pictures); do printf 'ldm %s --seed 1 --set execution.threads=1 --frame %s -o "%s"\n' \
+  $${picture%.*} $${picture#*.frame} '$(flight)'/$$picture.png; done | $(per_line) $(program_here) render && \
+$(PYTHON) -m analysis.figures.flight_figures --results '$(RESULTS)'
 endef
 
 .PHONY: reproduce
@@ -250,7 +272,7 @@ reproduce: program ## the paper's studies: Table 1 and Figures 5 to 9, 11 to 16,
 	@$(call run_study,outdoor)
 	@made=$$($(draw_figures)); outdoor=$$($(call analyse,figures.outdoor_figures,outdoor)); \
 	$(call analyse,tables.table1,table1); \
-	grep -v '^$(RESULTS)/' <<< "$$outdoor"; \
+	grep -v '\.\(png\|pdf\)$$' <<< "$$outdoor"; \
 	echo "Pictures:"; grep -h 'png$$' <<< "$$made"$$'\n'"$$outdoor"
 	@$(draw_flight) | grep 'png$$'
 
@@ -278,7 +300,8 @@ plot: study-named setup ## tables and figures of STUDY=name, from the results th
 
 .PHONY: studies
 studies: program ## list the studies: number of trials, estimated time on JOBS cores
-	@$(PYTHON) experiments/harness/list_studies.py --program $(LDM) --results $(RESULTS) --jobs '$(JOBS)' --serial timing
+	@$(PYTHON) experiments/harness/list_studies.py --program '$(LDM)' --results '$(RESULTS)' \
+	  --jobs '$(JOBS)' --serial timing
 
 # Each stage by itself: STAGE=stage1. A trial that fails (no room for a world) costs its condition alone.
 CONDITIONS_STAGES = stage1 stage2a stage2b stage3
@@ -316,13 +339,13 @@ figures: program ## Figures 5 to 9 and 11 to 16, from the results that exist
 gallery_frame_outdoor1 := 112
 .PHONY: gallery
 gallery: program ## a picture of each scenario by each method, without a display: results/gallery/
-	@mkdir -p $(RESULTS)/gallery && rm -f $(RESULTS)/gallery/*.png
+	@mkdir -p '$(RESULTS)/gallery' && rm -f '$(RESULTS)'/gallery/*.png
 	@{ $(foreach scenario,$(basename $(notdir $(wildcard datasets/scenarios/*.toml))), \
-	  for method in $$($(LDM) methods | cut -d' ' -f1); do \
-	    echo $$method $(scenario) --frame $(or $(gallery_frame_$(scenario)),200) \
-	      -o $(RESULTS)/gallery/$(scenario).$$method.png; done;) } \
-	  | xargs -P '$(JOBS)' -L 1 $(LDM) render --seed 1
-	@$(PYTHON) -m analysis.figures.gallery --results $(RESULTS)
+	  for method in $$('$(LDM)' methods | cut -d' ' -f1); do \
+	    printf '%s $(scenario) --frame $(or $(gallery_frame_$(scenario)),200) -o "%s"\n' \
+	      $$method '$(RESULTS)/gallery/$(scenario)'.$$method.png; done;) } \
+	  | $(per_line) $(program_here) render --seed 1
+	@$(PYTHON) -m analysis.figures.gallery --results '$(RESULTS)'
 
 # --- Report ----------------------------------------------------------------------------------------
 
@@ -338,4 +361,4 @@ clean: ## delete what was built; results stay
 
 .PHONY: distclean
 distclean: clean ## delete what was built, and all results
-	rm -rf $(RESULTS)
+	rm -rf '$(RESULTS)'

@@ -6,6 +6,7 @@
 
 #include "datasets/files/text.h"
 #include "datasets/recording/scans/input_parameters.h"
+#include "experiments/study/study_json.h"
 
 namespace experiments {
 namespace {
@@ -87,18 +88,28 @@ void list_parameters(const std::optional<std::string>& name, std::ostream& out) 
   print(rows, out);
 }
 
-void list_studies(const DataFolders& folders, std::ostream& out) {
+void list_studies(const DataFolders& folders, bool json, std::ostream& out) {
+  std::vector<Study> studies;
   std::vector<Row> rows;
   for (const std::string& name : folders.studies.names()) {
-    const Study study = read_study(folders.studies.file(name), folders.scenarios);
+    studies.push_back(read_study(folders.studies.file(name), folders.scenarios));
+    const Study& study = studies.back();
     rows.push_back({name, std::to_string(study.trial_count()), study.title});
   }
-  print(rows, out);
+  if (json) {
+    out << studies_json(studies);
+  } else {
+    print(rows, out);
+  }
 }
 
 void list_trials(const std::string& name, const StudyOptions& options, const DataFolders& folders,
-                 std::ostream& out) {
+                 bool json, std::ostream& out) {
   const Study study = read_study(folders.studies.file(name), folders.scenarios, options);
+  if (json) {
+    out << trials_json(study);
+    return;
+  }
   for (const Trial& trial : trials(study)) out << trial_id(study, trial) << '\n';
 }
 

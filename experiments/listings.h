@@ -16,10 +16,10 @@ void list_scenarios(const DataFolders& folders, std::ostream& out);
 /// With the values of one method, and only what it uses; without one the defaults. Then those of
 /// recordings, which are the same for all methods.
 void list_parameters(const std::optional<std::string>& method, std::ostream& out);
-/// Name, number of trials, title.
-void list_studies(const DataFolders& folders, std::ostream& out);
-/// The id of every trial, one a line.
+/// Name, number of trials, title; or JSON: see study_json.h.
+void list_studies(const DataFolders& folders, bool json, std::ostream& out);
+/// The id of every trial, one a line; or JSON: see study_json.h.
 void list_trials(const std::string& study, const StudyOptions& options, const DataFolders& folders,
-                 std::ostream& out);
+                 bool json, std::ostream& out);
 
 }  // namespace experiments

@@ -119,16 +119,19 @@ class CommandLine {
              [] { experiments::list_methods(std::cout); });
     add_list("scenarios", "list the scenarios", "ldm scenarios",
              [this] { experiments::list_scenarios(folders(), std::cout); });
-    add_list("studies", "list the studies with their number of trials", "ldm studies",
-             [this] { experiments::list_studies(folders(), std::cout); });
+    add_list("studies", "list the studies with their number of trials", "ldm studies", [this] {
+      experiments::list_studies(folders(), json_, std::cout);
+    })->add_flag("--json", json_, "with their methods, for programs");
     add_list("parameters", "list the parameters, or those of one method with its values",
              "ldm parameters circular_buffer",
              [this] { experiments::list_parameters(method_, std::cout); })
         ->add_option("METHOD", method_, "a method that `ldm methods` lists");
-    CLI::App* trials = add_list(
-        "trials", "list the trials of a study", "ldm trials table1 --seeds 2",
-        [this] { experiments::list_trials(trial_.study, trial_.options, folders(), std::cout); });
+    CLI::App* trials =
+        add_list("trials", "list the trials of a study", "ldm trials table1 --seeds 2", [this] {
+          experiments::list_trials(trial_.study, trial_.options, folders(), json_, std::cout);
+        });
     add_study_options(trials);
+    trials->add_flag("--json", json_, "with what made them, for programs");
   }
 
   void add_simulate() {
@@ -265,6 +268,8 @@ class CommandLine {
         ->required();
     command->add_flag("--serial", trial_.serial,
                       "nothing else runs beside it: mark the times as such and keep all samples");
+    command->add_option("--failed", trial_.failure,
+                        "do not run it: write the record of a trial that ended so");
   }
 
   void add_study_options(CLI::App* command) {
@@ -284,7 +289,7 @@ class CommandLine {
     experiments::run_trials(trial_, trial_ids_, [&](const experiments::TrialRecord& record) {
       const bool alone = trial_ids_.size() == 1;
       experiments::write_record(record, alone ? records_ : records_ / (record.id + ".json"));
-      if (record.error) {
+      if (record.error && !trial_.failure) {
         code = complain("trial " + record.id + " failed: " + *record.error, kFailed);
       }
     });
@@ -299,6 +304,7 @@ class CommandLine {
   std::optional<std::string> data_dir_;
   std::vector<std::string> plugins_;
   std::optional<std::string> method_;
+  bool json_ = false;
   experiments::SimulateRequest simulate_;
   experiments::RunRequest run_;
   experiments::ScoreRequest score_;

@@ -23,7 +23,7 @@ clean-paper:
 .PHONY: reproduce-full
 reproduce-full: SEEDS = 100
 reproduce-full: program ## all that the report needs at 100 seeds, and the report; goes on where it stopped
-	@$(PYTHON) experiments/harness/estimate.py $(PAPER_STUDIES) --program $(LDM) --results '$(RESULTS)' \
+	@$(PYTHON) experiments/harness/estimate.py $(PAPER_STUDIES) --program '$(LDM)' --results '$(RESULTS)' \
 	  --seeds '$(SEEDS)' --jobs '$(JOBS)' --serial timing
 	@for study in $(PAPER_STUDIES); do $(MAKE) trials STUDY=$$study SEEDS='$(SEEDS)' || exit; done
 	@[ -e '$(RESULTS)/bench.json' ] || $(MAKE) bench

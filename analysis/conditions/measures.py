@@ -9,7 +9,7 @@ import pandas as pd
 from analysis.conditions.claims import METHOD, claims, pf_readings
 from analysis.data import series_scores
 from analysis.data.errors import InputError
-from analysis.data.records import read_record
+from analysis.data.records import read_record, record_files
 from analysis.data.series import read_series
 
 COLUMNS = ["scenario", "method", "replicate", "measure", "value"]
@@ -36,7 +36,7 @@ def wanted() -> dict[str, set[str]]:
 def measures(records: Path) -> tuple[pd.DataFrame, list[str]]:
     """Of all records of a folder, a row for each number; and a line for each record that is unusable."""
     good, notes = {}, []
-    for file in sorted(records.glob("*.json")):
+    for file in record_files(records):
         try:
             record = read_record(file)
         except InputError as error:

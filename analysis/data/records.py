@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Iterable
@@ -13,10 +12,9 @@ import pandas as pd
 from analysis.data.errors import InputError
 from analysis.data.mixtures import refuse_mixtures
 
-SCHEMA = 1
+SCHEMA = 2
 LISTED_NOTES = 20
 
-# A trial that crashed leaves a record without more than this.
 _KEYS_OF_FAILED = {"error": str}
 _KEYS_OF_GOOD = {
     "id": str,
@@ -32,9 +30,8 @@ _KEYS_OF_GOOD = {
     "scores": dict,
 }
 
-# An entry of `series` is a flat object, so the array ends at the first "}]".
-_SERIES_BEGIN = re.compile(rb'"series"\s*:\s*\[')
-_SERIES_END = re.compile(rb"\}\s*\]")
+SERIES_SUFFIX = ".series.json"
+"""Of the file beside a record that holds the velocity series."""
 
 
 class SchemaError(InputError):
@@ -51,7 +48,7 @@ class Study:
     """One row a trial: scenario, method, point (label), replicate, file, and a column per score
     (float, NaN where not defined)."""
     records: list[dict] = field(repr=False)
-    """The same trials, in the same order, as read; without `series`."""
+    """The same trials, in the same order, as read."""
     points: dict[str, dict]
     """Label of a point -> its swept parameters; {"": {}} without a sweep."""
     notes: list[str]
@@ -154,26 +151,43 @@ def load_study(results: Path, name: str, methods: Iterable[str] = ()) -> Study:
     return Study(name, folder, trials, good, points, notes)
 
 
-def read_record(file: Path, with_series: bool = False) -> dict:
-    """One record as a dict, with its path under "file"; without `series` unless asked for.
+def read_record(file: Path) -> dict:
+    """One record as a dict, with its path under "file".
 
     Raises
     ------
     InputError
         Naming the file and what is wrong with it; SchemaError if that is its version.
     """
-    try:
-        text = file.read_bytes()
-        record = json.loads(text if with_series else _without_series(text), parse_constant=_refuse)
-    except (OSError, ValueError) as error:
-        raise InputError(f"{file}: unreadable: {error}") from error
+    record = read_json(file)
     _check_keys(record, file)
     record["file"] = file
     return record
 
 
+def record_files(folder: Path) -> list[Path]:
+    """The records in a folder, without the series beside them and what is being written."""
+    return sorted(file for file in folder.glob("[!.]*.json") if not file.name.endswith(SERIES_SUFFIX))
+
+
+def read_json(file: Path) -> object:
+    """The content of a file of JSON.
+
+    Raises
+    ------
+    InputError
+        Naming the file and what is wrong with it.
+    """
+    try:
+        return json.loads(file.read_bytes(), parse_constant=_refuse)
+    except OSError as error:
+        raise InputError(f"{file}: unreadable: {error.strerror}") from error
+    except ValueError as error:
+        raise InputError(f"{file}: unreadable: cut short or no JSON: {error}") from error
+
+
 def _read_folder(folder: Path) -> tuple[list[dict], list[str]]:
-    files = sorted((folder / "records").glob("*.json"))
+    files = record_files(folder / "records")
     if not files:
         raise InputError(f"{folder / 'records'}: holds no record (*.json); run the study first")
     good, notes = [], []
@@ -225,12 +239,6 @@ def _missing_trials(trials: pd.DataFrame) -> list[str]:
                     numbers = ", ".join(map(str, sorted(lacking)))
                     notes.append(f"missing: {where}: replicate {numbers}")
     return notes
-
-
-def _without_series(text: bytes) -> bytes:
-    begin = _SERIES_BEGIN.search(text)
-    end = _SERIES_END.search(text, begin.end()) if begin else None
-    return text[: begin.end()] + b"]" + text[end.end() :] if end else text
 
 
 def _refuse(constant: str) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from analysis.data.errors import InputError
-from analysis.data.records import read_record
+from analysis.data.records import SERIES_SUFFIX, read_json, read_record
 
 
 @dataclass(frozen=True)
@@ -39,17 +39,22 @@ class ObjectSeries:
 
 
 def read_series(file: Path) -> list[ObjectSeries]:
-    """All objects of a record, sorted by number.
+    """All objects of the trial whose record `file` is, sorted by number.
 
     Raises
     ------
     InputError
-        If the record has no `series`, or one of an unexpected shape.
+        If the trial keeps no series, or ones cut short or of an unexpected shape.
     """
-    entries = read_record(file, with_series=True).get("series")
-    if not entries:
-        raise InputError(f"{file}: series: empty; the trial keeps no velocity series")
-    return sorted((_object(entry, file) for entry in entries), key=lambda s: s.object)
+    bytes_written = read_record(file).get("series_bytes")
+    if not bytes_written:
+        raise InputError(f"{file}: the trial keeps no velocity series")
+    beside = file.with_name(file.stem + SERIES_SUFFIX)
+    content = read_json(beside)
+    if beside.stat().st_size != bytes_written or not isinstance(content, dict):
+        raise InputError(f"{beside}: not the series that {file.name} was written with")
+    entries = content.get("series", [])
+    return sorted((_object(entry, beside) for entry in entries), key=lambda s: s.object)
 
 
 def longest_run(frame: np.ndarray) -> slice:

@@ -1,68 +1,51 @@
 """A progress bar with an estimate on a terminal; a line now and then elsewhere."""
 
-import shutil
 import sys
-import time
+from typing import Self
+
+from tqdm import tqdm
+
+TEXT = "{desc}: {n_fmt}/{total_fmt}{postfix}, {elapsed} so far, {remaining} left"
+LINE_INTERVAL_S = 30.0
 
 
-def duration(seconds: float) -> str:
-    """`seconds` as 42 s, 3 min 05 s or 2 h 07 min."""
-    whole = round(seconds)
-    if whole < 60:
-        return f"{whole} s"
-    if whole < 3600:
-        return f"{whole // 60} min {whole % 60:02d} s"
-    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+class Lines:
+    """What tqdm draws over and over again, as lines of their own."""
+
+    def write(self, text: str) -> None:
+        line = text.strip("\r\n ")
+        if line:
+            print(line, file=sys.stderr, flush=True)
+
+    def flush(self) -> None:
+        pass
 
 
 class Progress:
     """Counts finished trials of `total`; `show` may be called as often as one likes."""
 
-    BAR_INTERVAL_S = 0.2
-    LINE_INTERVAL_S = 30.0
-
     def __init__(self, label: str, total: int):
-        self._label = label
-        self._total = total
-        self._done = 0
+        tqdm.monitor_interval = 0  # no thread that draws: `show` does
+        terminal = sys.stderr.isatty()
+        look = ({"bar_format": "{bar} " + TEXT, "dynamic_ncols": True, "mininterval": 0.1} if terminal else
+                {"bar_format": TEXT, "file": Lines(), "mininterval": LINE_INTERVAL_S,
+                 "delay": LINE_INTERVAL_S, "leave": False})
+        # The mean over all trials: they come in rounds of cheap and costly ones.
+        self._bar = tqdm(desc=label, total=total, smoothing=0, miniters=0, **look)
         self._failed = 0
-        self._terminal = sys.stderr.isatty()
-        self._start = self._shown = time.monotonic()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the last state standing on a terminal."""
+        self._bar.close()
 
     def count(self, failed: bool) -> None:
-        self._done += 1
         self._failed += failed
+        if failed:
+            self._bar.set_postfix_str(f"{self._failed} failed", refresh=False)
+        self._bar.update()
 
     def show(self) -> None:
-        now = time.monotonic()
-        interval = self.BAR_INTERVAL_S if self._terminal else self.LINE_INTERVAL_S
-        if now - self._shown >= interval:
-            self._shown = now
-            self._write()
-
-    def finish(self) -> None:
-        """Leave the last state standing on a terminal."""
-        if self._terminal:
-            self._write()
-            print(file=sys.stderr)
-
-    def _write(self) -> None:
-        text = self._text(time.monotonic() - self._start)
-        if not self._terminal:
-            print(text, file=sys.stderr, flush=True)
-            return
-        width = shutil.get_terminal_size().columns
-        room = width - len(text) - 4
-        if room >= 10:
-            filled = room * self._done // self._total
-            text = f"[{'#' * filled}{'.' * (room - filled)}] {text}"
-        print(f"\r\033[K{text[:width - 1]}", end="", file=sys.stderr, flush=True)
-
-    def _text(self, elapsed: float) -> str:
-        text = f"{self._label}: {self._done}/{self._total}"
-        if self._failed:
-            text += f", {self._failed} failed"
-        text += f", {duration(elapsed)}"
-        if 0 < self._done < self._total:
-            text += f", about {duration(elapsed / self._done * (self._total - self._done))} left"
-        return text
+        self._bar.update(0)

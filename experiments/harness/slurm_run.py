@@ -1,11 +1,11 @@
-"""Trials on the nodes of a Slurm cluster: an array job whose tasks run Make, each on its shard.
+"""Trials on the nodes of a Slurm cluster: an array job, each of whose tasks runs its shard (shard.py).
 
 The records go straight to the study's folder, which all nodes must share. A task whose node is lost
-is queued again (--requeue), and its Make finds what is finished already.
+is queued again (--requeue), and finds what is finished already.
 """
 
 import dataclasses
-import os
+import json
 import shlex
 import shutil
 import subprocess
@@ -13,10 +13,10 @@ import sys
 import time
 from pathlib import Path
 
+import records
 from interruption import Interrupted
-from local_run import make_command, make_environment
 from progress import Progress
-from study_folder import Study
+from study_folder import HERE, Study
 
 POLL_S = 2.0  # of the records
 QUEUE_POLL_S = 10.0  # of the queue: its controller serves others, too
@@ -47,13 +47,16 @@ def refuse_running_job(study: Study) -> None:
     job.unlink()
 
 
-def run(study: Study, todo: list[str], request: Request) -> None:
-    """Run the trials `todo`. @raises Interrupted after the job has been cancelled."""
+def run(study: Study, todo: list[str], request: Request) -> dict[str, str]:
+    """Run the trials `todo`; where to look for those without a record.
+
+    @raises Interrupted after the job has been cancelled.
+    """
     write_shards(study, todo, request.shards)
     number = submit(study, min(request.shards, len(todo)), request)
     job_file(study).write_text(number + "\n", encoding="utf-8")
     try:
-        follow(study, todo, number)
+        return follow(study, todo, number)
     except Interrupted:
         cancel(number)
         raise
@@ -67,24 +70,26 @@ def job_file(study: Study) -> Path:
 
 
 def write_shards(study: Study, todo: list[str], shards: int) -> None:
-    """`slurm/shard-K.todo`: neighbours in the list, alike in cost, go to different shards."""
+    """`slurm/shard-K.json`: neighbours in the list, alike in cost, go to different shards."""
     folder = study.folder / "slurm"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
+    work = dataclasses.asdict(study.work())
     for shard in range(min(shards, len(todo))):
-        (folder / f"shard-{shard + 1}.todo").write_text("\n".join(todo[shard::shards]), encoding="utf-8")
+        share = json.dumps({"work": work, "trials": todo[shard::shards]}, indent=1)
+        (folder / f"shard-{shard + 1}.json").write_text(share, encoding="utf-8")
 
 
 def submit(study: Study, shards: int, request: Request) -> str:
     """Number of the array job."""
     folder = study.folder / "slurm"
-    make = shlex.join(make_command(study, f"{folder}/shard-", request.cpus))
+    task = shlex.join([sys.executable, str(HERE / "shard.py"), f"--jobs={request.cpus}", f"{folder}/shard-"])
     sbatch = ["sbatch", "--parsable", "--requeue", f"--job-name=study-{study.label}",
               f"--array=1-{shards}", f"--cpus-per-task={request.cpus}", "--ntasks=1",
               f"--output={folder}/shard-%a.log", "--open-mode=append", *request.flags,
-              "--wrap", f'exec {make}"$SLURM_ARRAY_TASK_ID".todo']
+              "--wrap", f'exec {task}"$SLURM_ARRAY_TASK_ID".json']
     try:
-        done = subprocess.run(sbatch, env=make_environment(), capture_output=True, text=True, check=False)
+        done = subprocess.run(sbatch, capture_output=True, text=True, check=False)
     except FileNotFoundError:
         sys.exit(f"study {study.label}: sbatch is not installed here: SLURM=1 needs a machine that submits "
                  "to Slurm; without it the trials run on this one")
@@ -110,32 +115,33 @@ def cancel(number: str) -> None:
         time.sleep(POLL_S)
 
 
-def follow(study: Study, todo: list[str], number: str) -> None:
-    """Show progress until the job has left the queue."""
-    print(f"study {study.label}: Slurm's job {number}, logs in {study.folder / 'slurm'}", file=sys.stderr)
-    progress = Progress(f"study {study.label}", len(todo))
-    missing = set(todo)
+def follow(study: Study, todo: list[str], number: str) -> dict[str, str]:
+    """Show progress until the job has left the queue; the log of each trial without a record."""
+    folder = study.folder / "slurm"
+    print(f"study {study.label}: Slurm's job {number}, logs in {folder}", file=sys.stderr)
+    missing = dict.fromkeys(todo)  # in their order
     asked = time.monotonic()
-    while True:
-        time.sleep(POLL_S)
+    with Progress(f"study {study.label}", len(todo)) as progress:
+        while True:
+            time.sleep(POLL_S)
+            count_finished(study, missing, progress)
+            progress.show()
+            # When all is there, the last tasks are about to leave.
+            if not missing or time.monotonic() - asked > QUEUE_POLL_S:
+                asked = time.monotonic()
+                if not is_queued(number):
+                    break
         count_finished(study, missing, progress)
-        progress.show()
-        # When all is there, the last tasks are about to leave.
-        if not missing or time.monotonic() - asked > QUEUE_POLL_S:
-            asked = time.monotonic()
-            if not is_queued(number):
-                break
-    count_finished(study, missing, progress)
-    progress.finish()
     if missing:
         print(f"study {study.label}: {len(missing)} trials left no record; out of time? The logs in "
-              f"{study.folder / 'slurm'} and `sacct --jobs={number}` tell", file=sys.stderr)
+              f"{folder} and `sacct --jobs={number}` tell", file=sys.stderr)
+    shards = len(list(folder.glob("shard-*.json")))
+    return {trial: f"no record; its log is {folder}/shard-{todo.index(trial) % shards + 1}.log"
+            for trial in missing}
 
 
-def count_finished(study: Study, missing: set[str], progress: Progress) -> None:
+def count_finished(study: Study, missing: dict[str, None], progress: Progress) -> None:
     """Take from `missing` what has a record now."""
-    found = {name.removesuffix(".json") for name in os.listdir(study.records)} & missing
-    missing -= found
-    for trial in found:
-        with open(study.records / f"{trial}.json", encoding="utf-8") as file:
-            progress.count(failed='"failed"' in file.read(100))
+    for trial, record in records.read_all(study.records, list(missing)).items():
+        del missing[trial]
+        progress.count(failed=record.error is not None)

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <fstream>
 #include <set>
+#include <sstream>
 
+#include "datasets/hash.h"
 #include "experiments/study/seeds.h"
 
 namespace experiments {
@@ -72,11 +75,24 @@ void replace_entrants(const std::vector<std::string>& methods, Study& study) {
   }
 }
 
+/// @param scenarios folder `datasets/scenarios` of the data folder
+ReadFile read_file(const std::filesystem::path& path, const DataFolder& scenarios) {
+  const auto data = std::filesystem::weakly_canonical(scenarios.path / ".." / "..");
+  const auto file = std::filesystem::weakly_canonical(path);
+  const auto relative = file.lexically_relative(data);
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  const bool inside = !relative.empty() && *relative.begin() != "..";
+  return {(inside ? relative : file).string(), datasets::hex(datasets::hash({content.str()}))};
+}
+
 void read_scenarios(const TomlTable& file, const DataFolder& folder, Study& study) {
   const std::string place = file.place("scenarios");
   for (const std::string& name : file.texts("scenarios", {.min = 1})) {
     try {
-      study.scenarios.push_back(datasets::read_scenario(folder.file(name)));
+      const std::filesystem::path path = folder.file(name);
+      study.scenarios.push_back(datasets::read_scenario(path));
+      study.scenario_files.push_back(read_file(path, folder));
     } catch (const ldm::InvalidInput& error) {
       throw ldm::InvalidInput(place + ": " + error.what());
     }
@@ -168,6 +184,7 @@ Study read_study(const std::filesystem::path& path, const DataFolder& scenarios,
   Study study;
   study.name = path.stem().string();
   check_name(path.string(), study.name);
+  study.file = read_file(path, scenarios);
   study.title = file.text("title");
   study.seeds = file.integer("seeds", kSeeds);
   study.frames = file.integer("frames", kFrames);

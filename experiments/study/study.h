@@ -35,9 +35,17 @@ struct Entrant {
   Settings settings;  ///< the variant's own
 };
 
+/// A file that a study was read from.
+struct ReadFile {
+  std::string path;  ///< relative to the data folder; absolute where it lies outside
+  std::string hash;  ///< of its bytes, in hex
+};
+
 struct Study {
   std::string name;  ///< stem of its file
   std::string title;
+  ReadFile file;
+  std::vector<ReadFile> scenario_files;       ///< one for each of `scenarios`
   std::vector<datasets::Scenario> scenarios;  ///< with the values of `[set]`
   std::vector<Entrant> entrants;              ///< methods, then variants
   Settings settings;                          ///< parameters of `[set]`

@@ -27,6 +27,12 @@ std::string repeating_command(const TrialRequest& request, const TrialRecord& re
   return datasets::command_line(words);
 }
 
+void write(const std::string& text, const std::filesystem::path& path) {
+  datasets::PartialFile file(path);
+  file.stream() << text;
+  file.commit();
+}
+
 /// A trial that is to run.
 struct PreparedTrial {
   TrialRecord record;
@@ -55,10 +61,12 @@ PreparedTrial prepared(const TrialRequest& request, const Study& study) {
   record.parameters = trial_parameters(study, trial);
   record.scenario_seed = scenario_seed(found.scenario.name, trial.replicate);
   record.filter_seed = record.parameters.execution.seed;
+  record.files = {study.file, study.scenario_files[trial.scenario]};
   record.scenario_file_hash = datasets::scenario_hash(found.scenario);
   record.plugin = plugin_of(*entrant.method);
   record.serial = request.serial;
   record.command = repeating_command(request, record);
+  record.error = request.failure;
   return found;
 }
 
@@ -128,9 +136,12 @@ void run_trials(const TrialRequest& request, const std::vector<std::string>& ids
 }
 
 void write_record(const TrialRecord& record, const std::filesystem::path& path) {
-  datasets::PartialFile file(path);
-  file.stream() << to_json(record, provenance());
-  file.commit();
+  const std::string series = series_json(record);
+  if (!series.empty()) {
+    std::filesystem::path beside = path;
+    write(series, beside.replace_extension(".series.json"));
+  }
+  write(to_json(record, provenance(), series.size()), path);
 }
 
 }  // namespace experiments

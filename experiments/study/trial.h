@@ -16,6 +16,7 @@ struct TrialRequest {
   std::string id;
   StudyOptions options;
   bool serial = false;                    ///< the caller runs nothing beside it: the timing counts
+  std::optional<std::string> failure;     ///< how it ended when it was run before; it is not run
   std::optional<std::string> data_dir;    ///< as given on the command line
   std::vector<std::string> plugins = {};  ///< loaded ones, as given on the command line
 };
@@ -32,7 +33,8 @@ TrialRecord run_trial(const TrialRequest& request);
 void run_trials(const TrialRequest& request, const std::vector<std::string>& ids,
                 const std::function<void(const TrialRecord&)>& done);
 
-/// Writes the record, under its final name only when it is complete.
+/// Writes the record, under its final name only when it is complete, and before it the velocity
+/// series, where there are any, to NAME.series.json beside NAME.json.
 /// @throws ldm::InvalidInput if the folder cannot be written, std::runtime_error if the disk is
 /// full.
 void write_record(const TrialRecord& record, const std::filesystem::path& file);

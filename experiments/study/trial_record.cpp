@@ -9,6 +9,9 @@
 namespace experiments {
 namespace {
 
+/// Of both files; raised when a reader of the old ones would go wrong.
+constexpr int kSchema = 2;
+
 /// A number or `true` where the text is one, else the text.
 Json typed(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
@@ -27,7 +30,7 @@ Json rounded(const Eigen::Vector3d& v) {
   return json;
 }
 
-Json series_json(const std::vector<VelocitySeries>& all) {
+Json objects_json(const std::vector<VelocitySeries>& all) {
   Json json = Json::array();
   for (const VelocitySeries& series : all) {
     Json truth = Json::array(), estimate = Json::array(), track = Json::array();
@@ -48,11 +51,14 @@ Json series_json(const std::vector<VelocitySeries>& all) {
 
 }  // namespace
 
-std::string to_json(const TrialRecord& record, const Provenance& provenance) {
+std::string to_json(const TrialRecord& record, const Provenance& provenance,
+                    std::size_t series_bytes) {
+  Json files = Json::object();
+  for (const ReadFile& file : record.files) files[file.path] = file.hash;
   Json point = Json::object();
   for (const Setting& setting : record.point) point[setting.name] = typed(setting.value);
 
-  Json json = {{"schema", 1}, {"status", record.error ? "failed" : "ok"}};
+  Json json = {{"schema", kSchema}, {"status", record.error ? "failed" : "ok"}};
   if (record.error) json["error"] = *record.error;
   json["command"] = record.command;
   json["study"] = record.study;
@@ -65,13 +71,22 @@ std::string to_json(const TrialRecord& record, const Provenance& provenance) {
                    {"filter", std::to_string(record.filter_seed)}};
   json["frames"] = record.frames;
   json["parameters"] = parameters_json(record.parameters);
+  json["files"] = std::move(files);
   json["scenario_file_hash"] = record.scenario_file_hash;
   json["provenance"] = provenance_json(provenance, record.plugin);
   if (record.error) return dump(json);
   json["scores"] = scores_json(record.evaluation.tallies.value());
-  json["series"] = series_json(record.evaluation.series);
+  json["series_bytes"] = series_bytes;
   json["timing"] = timing_json(record.evaluation.clock, record.serial);
   return dump(json);
+}
+
+std::string series_json(const TrialRecord& record) {
+  if (record.evaluation.series.empty()) return {};
+  return dump({{"schema", kSchema},
+               {"study", record.study},
+               {"id", record.id},
+               {"series", objects_json(record.evaluation.series)}});
 }
 
 }  // namespace experiments

@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/method/evaluation.h"
 #include "experiments/method/plugins.h"
 #include "experiments/method/provenance.h"
-#include "experiments/study/sweep.h"
+#include "experiments/study/study.h"
 #include "ldm/parameters.h"
 
 namespace experiments {
@@ -20,12 +21,19 @@ struct TrialRecord {
   std::uint64_t scenario_seed = 0, filter_seed = 0;
   std::int64_t frames = 0;
   ldm::Parameters parameters;
+  std::vector<ReadFile> files;  ///< that it was made from
   std::string scenario_file_hash;
   std::optional<PluginFile> plugin;  ///< that the method came from
   bool serial = false;               ///< timed with nothing else running
   std::optional<std::string> error;  ///< the trial failed; `evaluation` is then empty
   Evaluation evaluation;
 };
-std::string to_json(const TrialRecord& record, const Provenance& provenance);
+
+/// @param series_bytes length of `series_json`, so that a file cut short is noticed
+std::string to_json(const TrialRecord& record, const Provenance& provenance,
+                    std::size_t series_bytes);
+
+/// The velocity series; empty if there are none.
+std::string series_json(const TrialRecord& record);
 
 }  // namespace experiments

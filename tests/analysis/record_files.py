@@ -37,7 +37,7 @@ def make_record(method: str = "ldm", replicate: int = 1, **changes) -> dict:
     point = changes.get("point", {})
     tail = "".join(f"-{name}={value}" for name, value in point.items())
     record = {
-        "schema": 1,
+        "schema": 2,
         "status": "ok",
         "command": f"ldm trial {study} ...",
         "study": study,
@@ -61,7 +61,8 @@ def make_record(method: str = "ldm", replicate: int = 1, **changes) -> dict:
             "cpu": "Test CPU",
             "cores": 2,
         },
-        "series": [],
+        "files": {f"experiments/studies/{study}.toml": "f1"},
+        "series_bytes": 0,
         "timing": {"serial": False, "frames": 1100, "update_time_ms": {}, "stages_ms": {}},
     }
     return record | changes | {"scores": TYPICAL_SCORES | changes.get("scores", {})}
@@ -87,10 +88,20 @@ def make_series(number: int, dynamic: bool, frames: list[int], noise: float = 0.
     }
 
 
+def write_record(folder: Path, record: dict) -> Path:
+    """Write FOLDER/ID.json, and its "series" beside it; returns the file of the record."""
+    file = folder / f"{record['id']}.json"
+    folder.mkdir(parents=True, exist_ok=True)
+    if "series" in record:
+        series = json.dumps({"schema": 2, "series": record["series"]})
+        file.with_name(f"{record['id']}.series.json").write_text(series, encoding="utf-8")
+        record = {k: v for k, v in record.items() if k != "series"} | {"series_bytes": len(series)}
+    file.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+    return file
+
+
 def write_records(results: Path, records: list[dict]) -> Path:
-    """Write each to results/STUDY/records/ID.json; returns `results`."""
+    """Write each to results/STUDY/records/; returns `results`."""
     for record in records:
-        file = results / record["study"] / "records" / f"{record['id']}.json"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+        write_record(results / record["study"] / "records", record)
     return results

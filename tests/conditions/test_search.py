@@ -29,7 +29,8 @@ def stage(results, name, *options):
 
 
 def records(results, name):
-    return sorted((results / "conditions" / name).glob("*/records/*.json"))
+    found = (results / "conditions" / name).glob("*/records/*.json")
+    return sorted(file for file in found if not file.name.endswith(".series.json"))
 
 
 def test_toml_comes_back():

@@ -44,6 +44,14 @@ TEST_F(Program, RefusesABadCommandLine) {
 TEST_F(Program, TrialsOfAStudy) {
   const Result result = ldm("trials " + write_study() + " --seeds 2");
   EXPECT_EQ(result.out, "scenario1.current_scan.s001\nscenario1.current_scan.s002\n");
+  const std::string json = ldm("trials " + write_study() + " --seeds 2 --json").out;
+  EXPECT_NE(json.find("\"study\": \"tiny\""), std::string::npos);
+  EXPECT_NE(json.find("\"methods\": {\"current_scan\":\"current_scan\"}"), std::string::npos);
+  EXPECT_NE(json.find("\"datasets/scenarios/scenario1.toml\":"), std::string::npos);
+  EXPECT_NE(json.find("{\"id\":\"scenario1.current_scan.s002\",\"scenario\":\"scenario1\","
+                      "\"method\":\"current_scan\",\"replicate\":2}"),
+            std::string::npos);
+  EXPECT_NE(ldm("studies --json").out.find("\"study\": \"table1\""), std::string::npos);
   expect_bad("trials moon", "unknown study moon: allowed: a .toml file, ablation");
   expect_bad("trials " + write_study("speed = 1\n"), "tiny.toml:6: speed");
 }
@@ -86,6 +94,13 @@ TEST_F(Program, AFailedTrialLeavesARecordAndCodeOne) {
   EXPECT_NE(result.error.find("ldm: trial scenario1.current_scan.s001 failed: "),
             std::string::npos);
   EXPECT_NE(folder_.read("r.json").find("\"status\": \"failed\""), std::string::npos);
+}
+
+TEST_F(Program, RecordsHowATrialEndedWithoutRunningIt) {
+  const Result result = ldm("trial " + write_study() +
+                            " scenario1.current_scan.s001 -o r.json --failed 'killed by SIGSEGV'");
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_NE(folder_.read("r.json").find("\"error\": \"killed by SIGSEGV\""), std::string::npos);
 }
 
 TEST_F(Program, RunWritesItsTables) {

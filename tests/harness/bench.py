@@ -36,7 +36,7 @@ class Bench:
         return subprocess.CompletedProcess(process.args, process.returncode, out, err)
 
     def records(self, folder: str = "fake") -> dict[str, dict]:
-        files = (self.results / folder / "records").glob("*.json")
+        files = (self.results / folder / "records").glob("[!.]*.json")  # a hidden one is unfinished
         return {file.name: json.loads(file.read_text()) for file in files}
 
     def ran(self) -> list[str]:

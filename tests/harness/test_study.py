@@ -1,5 +1,6 @@
 """`make trials`, the first half of `make study`: resuming, failures, interruptions, stale results."""
 
+import json
 import os
 import signal
 import subprocess
@@ -47,7 +48,8 @@ def test_goes_on_past_a_failure_and_lists_it(bench):
     assert done.returncode != 0
     assert "5 of 6 trials good" in done.stdout
     record = bench.results / "fake" / "records" / "t2.json"
-    assert f"FAILED t2: no path found\n  {bench.program} trial fake t2 -o {record}\n" in done.stderr
+    command = f"{bench.program} --data-dir {ROOT} trial fake t2 -o {record}"
+    assert f"FAILED t2: no path found\n  {command}\n" in done.stderr
     assert "1 of 6 trials failed" in done.stderr
     assert bench.records()["t2.json"]["status"] == "failed"
 
@@ -60,7 +62,7 @@ def test_tries_failed_trials_again(bench):
     assert bench.ran() == ["t2"]
 
 
-def test_a_crash_leaves_a_record_with_its_reason_and_command(bench):
+def test_a_crash_leaves_a_record_with_its_reason(bench):
     done = bench.run(CRASH="t3")
     assert done.returncode != 0
     assert "FAILED t3: killed by SIGSEGV" in done.stderr
@@ -68,19 +70,18 @@ def test_a_crash_leaves_a_record_with_its_reason_and_command(bench):
     assert record["status"] == "failed"
     assert record["error"] == "killed by SIGSEGV"
     assert record["id"] == "t3"
-    assert record["command"].split()[:4] == [str(bench.program), "trial", "fake", "t3"]
 
 
 def test_a_trial_that_is_asked_to_end_has_not_failed(bench):
     done = bench.run(END="t3")
     assert done.returncode != 0
-    assert "FAILED t3: no record" in done.stderr
+    assert "FAILED t3: ended by SIGTERM, no record" in done.stderr
     assert bench.run().returncode == 0
 
 
 def test_the_command_of_a_failed_trial_repeats_it(bench):
-    bench.run(CRASH="t3")
-    command = bench.records()["t3.json"]["command"]
+    listed = bench.run(CRASH="t3").stderr.splitlines()
+    command = listed[listed.index("FAILED t3: killed by SIGSEGV") + 1]
     bench.ran()
     again = subprocess.run(command, shell=True, cwd=ROOT, check=False,
                            env=os.environ | {"LOG": str(bench.log), "CRASH": "t3"})
@@ -88,15 +89,15 @@ def test_the_command_of_a_failed_trial_repeats_it(bench):
     assert bench.ran() == ["t3"]
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_an_interrupted_run_is_continued(bench, number):
     process = bench.start("SEEDS=8", SLEEP="0.4")
     deadline = time.monotonic() + 30
-    while not list(bench.results.glob("fake/records/*.json")):
+    while not list(bench.results.glob("fake/records/t*.json")):
         assert time.monotonic() < deadline
         time.sleep(0.02)
-    # Ctrl-C reaches every process of the terminal's group, a polite `kill` only the first.
-    os.killpg(process.pid, number) if number == signal.SIGINT else process.send_signal(number)
+    # Ctrl-C and a closed terminal reach every process of its group, a polite `kill` only the first.
+    process.send_signal(number) if number == signal.SIGTERM else os.killpg(process.pid, number)
     process.communicate(timeout=30)
     assert process.returncode != 0
     assert len(bench.ran()) < 8
@@ -171,6 +172,15 @@ def test_numbers_are_checked(bench, variable):
     assert not bench.results.exists()
 
 
+@pytest.mark.parametrize("variable", ["SEEDS=1'; touch made'", "JOBS=1`touch made`", "STUDY=a'; touch made '"])
+def test_no_variable_is_run_by_a_shell(bench, variable, tmp_path):
+    done = subprocess.run(["make", "-f", ROOT / "Makefile", "-n", "trials", f"LDM={bench.program}", variable],
+                          cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "a whole number of at least 1 is needed" in done.stderr or "quotation mark" in done.stderr
+    assert len(done.stderr.splitlines()) == 1 and not (tmp_path / "made").exists()
+
+
 def test_the_programs_own_refusal_is_passed_on(bench):
     done = bench.run(UNKNOWN="1")
     assert done.returncode != 0
@@ -181,14 +191,14 @@ def test_the_programs_own_refusal_is_passed_on(bench):
 def test_ten_thousand_finished_trials_take_a_second(bench):
     records = bench.results / "fake" / "records"
     bench.run("SEEDS=1")
-    content = (records / "t1.json").read_text() + "x" * 20000
+    content = json.dumps(json.loads((records / "t1.json").read_text()) | {"scores": "x" * 5000})
     for number in range(1, 10001):
         (records / f"t{number}.json").write_text(content)
     start = time.monotonic()
     done = bench.run("SEEDS=10000")
     assert done.returncode == 0
     assert "10000 of 10000 trials good" in done.stdout
-    assert time.monotonic() - start < 5  # about 0.3 s; loose, for a busy machine
+    assert time.monotonic() - start < 5  # about 0.5 s; loose, for a busy machine
 
 
 @pytest.fixture
@@ -214,7 +224,7 @@ def test_a_method_beside_the_study_has_records_of_its_own(bench, plugin):
     assert "study fake+new: 2 of 2 trials good" in done.stdout
     assert bench.ran() == ["w.new.t1", "w.new.t2", "w.old.t1", "w.old.t2"]
     assert "plugin" not in bench.records()["w.old.t1.json"]["arguments"]
-    assert f"--method new --plugin {plugin}" in bench.records("fake+new")["w.new.t1.json"]["arguments"]
+    assert "--method new" in bench.records("fake+new")["w.new.t1.json"]["arguments"]
 
 
 def test_a_new_build_of_a_plugin_leaves_the_study_alone(bench, plugin):

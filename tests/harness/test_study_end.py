@@ -1,5 +1,6 @@
 """What `make study` makes of the records when all trials are there, and what `make studies` promises."""
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -57,8 +58,11 @@ def test_the_velocity_studies_end_in_figures_6_to_9(tmp_path, name):
 def studies(tmp_path: Path):
     """`make studies`, where the program knows two."""
     program = tmp_path / "ldm"
-    program.write_text("#!/bin/sh\necho 'calibration  60  Of the scenarios'\n"
-                       "echo 'timing  10  One at a time'\n")
+    listing = [{"study": "calibration", "trials": 60, "title": "Of the scenarios", "frames": 300,
+                "methods": {"ldm": "ldm", "octomap": "octomap"}},
+               {"study": "timing", "trials": 10, "title": "One at a time", "frames": 600,
+                "methods": {"ldm": "ldm"}}]
+    program.write_text(f"#!/bin/sh\necho '{json.dumps(listing)}'\n")
     program.chmod(0o755)
 
     def run() -> str:

@@ -93,7 +93,7 @@ class Cluster:
 
     def running_trials(self, node: str) -> list[int]:
         """Processes of the trials that a node runs now."""
-        return [process for process in self.processes(node) if command_line(process)[1:2] == ["trial"]]
+        return [process for process in self.processes(node) if command_line(process)[3:4] == ["trial"]]
 
     def kill(self, node: str) -> None:
         """A node loses its power: first nothing of it moves, then nothing is left."""

@@ -42,7 +42,7 @@ def finish(study: subprocess.Popen) -> subprocess.CompletedProcess:
 
 def records(results: Path) -> dict[str, dict]:
     """All of each record but its times."""
-    files = (results / FOLDER / "records").glob("*.json")
+    files = (results / FOLDER / "records").glob("*.s[0-9]*[0-9].json")
     return {file.name: json.loads(file.read_text()) | {"timing": None} for file in files}
 
 
@@ -60,9 +60,9 @@ def test_a_lost_node_costs_its_unfinished_trials_only(cluster, tmp_path):
     over_slurm = tmp_path / "slurm"
     study = start_study(over_slurm, cluster.environment, "SLURM=1", "SHARDS=4")
     folder = over_slurm / FOLDER / "records"
-    wait_for(lambda: len(list(folder.glob("*.json"))) >= 4 and cluster.running_trials("n2"), study)
+    wait_for(lambda: len(list(folder.glob("*.s[0-9]*[0-9].json"))) >= 4 and cluster.running_trials("n2"), study)
     cluster.kill("n2")
-    finished = {file: file.stat().st_mtime_ns for file in folder.glob("*.json")}
+    finished = {file: file.stat().st_mtime_ns for file in folder.glob("*.s[0-9]*[0-9].json")}
     assert 4 <= len(finished) < TRIALS
 
     done = finish(study)
@@ -77,7 +77,7 @@ def test_a_lost_node_costs_its_unfinished_trials_only(cluster, tmp_path):
 def test_an_interrupted_study_leaves_no_job_and_is_continued(cluster, tmp_path):
     study = start_study(tmp_path, cluster.environment, "SLURM=1", "SHARDS=2")
     folder = tmp_path / FOLDER
-    wait_for(lambda: list(folder.glob("records/*.json")), study)
+    wait_for(lambda: list(folder.glob("records/*.s[0-9]*[0-9].json")), study)
     second = finish(start_study(tmp_path, cluster.environment, "SLURM=1"))
     assert second.returncode != 0
     assert "another run is still writing" in second.stderr
@@ -87,7 +87,7 @@ def test_an_interrupted_study_leaves_no_job_and_is_continued(cluster, tmp_path):
     assert interrupted.returncode != 0
     assert "stopped; the same command continues it" in interrupted.stderr
     assert cluster.jobs() == [] and not (folder / "slurm" / "job").exists()
-    finished = {file: file.stat().st_mtime_ns for file in folder.glob("records/*.json")}
+    finished = {file: file.stat().st_mtime_ns for file in folder.glob("records/*.s[0-9]*[0-9].json")}
     assert 0 < len(finished) < TRIALS
 
     done = finish(start_study(tmp_path, cluster.environment, "SLURM=1", "SHARDS=2"))

@@ -1,23 +1,18 @@
 """From the records of conditions to their ranking."""
 
-import json
-
 import pandas as pd
 import pytest
 from analysis.conditions import rank
 from analysis.conditions.claims import claims, pf_readings
 from analysis.conditions.measures import measures
 from analysis.data.errors import InputError
-from record_files import make_record, make_series
+from record_files import make_record, make_series, write_record
 
 FRAMES = list(range(120))
 
 
 def write(folder, **changes):
-    record = make_record(**changes)
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / f"{record['id']}.json").write_text(json.dumps(record), encoding="utf-8")
-    return folder / f"{record['id']}.json"
+    return write_record(folder, make_record(**changes))
 
 
 def write_condition(folder, dynamic_error):

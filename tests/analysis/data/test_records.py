@@ -9,6 +9,7 @@ from record_files import make_record, make_series, write_records
 
 from analysis.data.errors import InputError
 from analysis.data.records import load_study, read_record
+from analysis.data.series import read_series
 
 
 def load(tmp_path, *records):
@@ -44,10 +45,11 @@ def test_failed_truncated_and_missing_trials_are_named(tmp_path):
     good = [make_record(m, r) for m in ("ldm", "octomap") for r in (1, 2, 3)]
     write_records(tmp_path, good)
     folder = tmp_path / "table1" / "records"
-    crashed = {"schema": 1, "status": "failed", "error": "killed by SIGSEGV", "id": "x"}
+    crashed = {"schema": 2, "status": "failed", "error": "killed by SIGSEGV", "id": "x"}
     (folder / "scenario1-ldm-2.json").write_text(json.dumps(crashed))
     truncated = folder / "scenario1-ldm-3.json"
-    truncated.write_bytes(truncated.read_bytes()[:200])
+    truncated.write_bytes(truncated.read_bytes().rstrip()[:-1])  # lacks its last brace
+    (folder / ".scenario1-ldm-4.77.part.json").write_text("{")  # a trial that runs
     study = load_study(tmp_path, "table1")
     assert len(study.trials) == 4
     assert "scenario1-ldm-2.json: failed: killed by SIGSEGV" in study.notes[0]
@@ -64,7 +66,7 @@ def test_nothing_usable_stops_with_the_first_reason(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"schema": 2}, "schema: 2, this analysis reads 1"),
+        ({"schema": 1}, "schema: 1, this analysis reads 2"),
         ({"status": "fine"}, "status: 'fine'"),
         ({"replicate": "1"}, "replicate: missing or not of type int"),
         ({"scores": {"f1": "high"}}, "scores.f1: 'high' is neither a number nor null"),
@@ -78,8 +80,8 @@ def test_a_record_of_another_shape_is_refused(tmp_path, changes, message):
 
 
 def test_records_of_another_schema_stop_and_are_not_left_out(tmp_path):
-    write_records(tmp_path, [make_record("ldm", 1), make_record("ldm", 2) | {"schema": 2}])
-    with pytest.raises(InputError, match="scenario1-ldm-2.json: schema: 2, this analysis reads 1"):
+    write_records(tmp_path, [make_record("ldm", 1), make_record("ldm", 2) | {"schema": 1}])
+    with pytest.raises(InputError, match="scenario1-ldm-2.json: schema: 1, this analysis reads 2"):
         load_study(tmp_path, "table1")
 
 
@@ -89,13 +91,20 @@ def test_many_notes_are_counted(tmp_path):
     assert len(study.notes) == 21 and study.notes[-1] == "... and 18 more"
 
 
-def test_series_is_skipped_unless_asked_for(tmp_path):
-    series = [make_series(1, True, [0, 1, 2]), make_series(2, False, [5])]
-    write_records(tmp_path, [make_record(series=series, id="x")])
+def test_series_are_read_from_the_file_beside_the_record(tmp_path):
+    series = [make_series(2, False, [5]), make_series(1, True, [0, 1, 2])]
+    study = load(tmp_path, make_record(series=series, id="x"))
     file = tmp_path / "table1" / "records" / "x.json"
-    assert read_record(file)["series"] == []
-    assert read_record(file)["timing"]["frames"] == 1100
-    assert read_record(file, with_series=True)["series"] == series
+    assert study.trials["file"].tolist() == [file]
+    assert [found.object for found in read_series(file)] == [1, 2]
+
+    beside = file.with_name("x.series.json")
+    beside.write_text(beside.read_text() + " ")
+    with pytest.raises(InputError, match="x.series.json: not the series that x.json was written"):
+        read_series(file)
+    beside.write_bytes(beside.read_bytes()[:-5])
+    with pytest.raises(InputError, match="x.series.json: unreadable: cut short"):
+        read_series(file)
 
 
 def test_two_thousand_records_load_in_seconds(tmp_path):

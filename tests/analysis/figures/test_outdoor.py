@@ -7,7 +7,7 @@ from record_files import make_record, make_series, write_records
 
 from analysis.data.command_line import run
 from analysis.data.errors import InputError
-from analysis.data.records import load_study
+from analysis.data.records import load_study, record_files
 from analysis.data.series import read_series
 from analysis.data.series_scores import largest_static_error
 from analysis.figures.flight_figures import main as draw_flight, pictures_of, sequence_figure
@@ -64,7 +64,7 @@ def test_times_in_hiding_are_spans_of_frames(study):
 def test_records_without_visibility_have_no_hiding(tmp_path):
     record = make_record(series=[make_series(1, True, FRAMES)])
     results = write_records(tmp_path, [record])
-    file = next((results / "table1" / "records").glob("*.json"))
+    (file,) = record_files(results / "table1" / "records")
     assert not read_series(file)[0].hidden.any()
 
 

@@ -132,7 +132,6 @@ def test_methods_must_agree_on_the_object(tmp_path):
 @pytest.mark.parametrize(
     ("series", "message"),
     [
-        ([], "series: empty"),
         ([{"object": 1}], "series: not as experiments/RECORD.md says: KeyError"),
         ([make_series(1, True, [1, 2]) | {"time_s": [0.1]}], "not as experiments/RECORD.md says"),
     ],

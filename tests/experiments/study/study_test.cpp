@@ -166,7 +166,7 @@ TEST(Study, ShippedStudiesAreGood) {
   }
   const Study table1 = read_study(kShipped.studies.file("table1"), kShipped.scenarios);
   EXPECT_EQ(table1.frames, 1200);
-  EXPECT_EQ(table1.trial_count(), 180u);
+  EXPECT_EQ(table1.trial_count(), 210u);
 }
 
 TEST(StudyErrors, OfTheOutermostKeys) {

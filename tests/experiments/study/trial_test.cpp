@@ -31,6 +31,7 @@ class TrialOfATinyStudy : public testing::Test {
             .id = id,
             .options = {},
             .serial = false,
+            .failure = {},
             .data_dir = {}};
   }
   /// The record's text up to its timing.
@@ -38,6 +39,10 @@ class TrialOfATinyStudy : public testing::Test {
     write_record(record, folder_.path() / "record.json");
     const std::string text = folder_.read("record.json");
     return text.substr(0, text.find("\n \"timing\""));
+  }
+  std::string series_text(const TrialRecord& record) {
+    write_record(record, folder_.path() / "record.json");
+    return folder_.read("record.series.json");
   }
 
   tests::TemporaryFolder folder_;
@@ -50,7 +55,44 @@ TEST_F(TrialOfATinyStudy, RemadeIsTheSameButForTheTiming) {
   EXPECT_NE(first.find("\"status\": \"ok\""), std::string::npos);
   EXPECT_NE(first.find("\"point\": {\"map.resolution_m\":0.2}"), std::string::npos);
   EXPECT_NE(first.find("\"map.voxels\":[24,24,24]"), std::string::npos);
-  EXPECT_NE(first.find("\"series\": [{\"object\":"), std::string::npos);
+  EXPECT_EQ(first.find("\"series\": "), std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, HasItsSeriesBesideTheRecordWhichKnowsTheirLength) {
+  const TrialRecord record = run_trial(request("scenario1.ldm.p01.s001"));
+  const std::string series = series_text(record);
+  EXPECT_NE(series.find("\"series\": [{\"object\":"), std::string::npos);
+  EXPECT_NE(record_text(record).find("\"series_bytes\": " + std::to_string(series.size()) + ","),
+            std::string::npos);
+}
+
+TEST_F(TrialOfATinyStudy, NamesTheFilesItWasMadeFrom) {
+  const TrialRecord record = run_trial(request("scenario1.ldm.p01.s001"));
+  ASSERT_EQ(record.files.size(), 2u);
+  EXPECT_EQ(record.files[0].path, std::filesystem::canonical(folder_.path() / "tiny.toml"));
+  EXPECT_EQ(record.files[1].path, "datasets/scenarios/scenario1.toml");
+  EXPECT_EQ(record.files[1].hash.size(), 16u);
+  EXPECT_NE(record_text(record).find("\"datasets/scenarios/scenario1.toml\":\"" +
+                                     record.files[1].hash + "\""),
+            std::string::npos);
+
+  folder_.write("tiny.toml", std::string(kTiny) + "# a remark\n");
+  const DataFolders folders{std::optional<std::string>{}};
+  const Study changed = read_study(folder_.path() / "tiny.toml", folders.scenarios);
+  EXPECT_NE(changed.file.hash, record.files[0].hash);
+  EXPECT_EQ(changed.scenario_files.front().hash, record.files[1].hash);
+}
+
+TEST_F(TrialOfATinyStudy, ThatEndedBadlyIsRecordedWithoutBeingRun) {
+  TrialRequest crashed = request("scenario1.ldm.p01.s001");
+  crashed.failure = "killed by SIGSEGV";
+  const std::string text = record_text(run_trial(crashed));
+  EXPECT_NE(text.find("\"status\": \"failed\",\n \"error\": \"killed by SIGSEGV\",\n \"command\": "
+                      "\"ldm trial "),
+            std::string::npos);
+  EXPECT_NE(text.find("\"method\": \"ldm\""), std::string::npos);
+  EXPECT_EQ(text.find("\"scores\""), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "record.series.json"));
 }
 
 TEST_F(TrialOfATinyStudy, NeitherSeedsNorSerialChangeIt) {
@@ -93,9 +135,9 @@ TEST_F(TrialOfATinyStudy, TellsTheTracksOfPeopleWhileOneIsHidden) {
     EXPECT_EQ(person.track[30].has_value(), person.velocity[30].has_value());
   }
   EXPECT_NE(people[1].track[30], people[2].track[30]);
-  const std::string text = record_text(run_trial(outdoor));
-  EXPECT_NE(text.find("\"visible\":[true,"), std::string::npos);
-  EXPECT_EQ(text.find("\"occlusions_kept_pct\":null"), std::string::npos);
+  const TrialRecord record = run_trial(outdoor);
+  EXPECT_NE(series_text(record).find("\"visible\":[true,"), std::string::npos);
+  EXPECT_EQ(record_text(record).find("\"occlusions_kept_pct\":null"), std::string::npos);
 }
 
 TEST_F(TrialOfATinyStudy, AMethodWithoutClustersHasNoVelocityScores) {
@@ -104,7 +146,7 @@ TEST_F(TrialOfATinyStudy, AMethodWithoutClustersHasNoVelocityScores) {
   EXPECT_NE(text.find("\"objects_missed_pct\":null"), std::string::npos);
   EXPECT_NE(text.find("\"clusters_without_object_per_frame\":null"), std::string::npos);
   EXPECT_NE(text.find("\"tracks_per_stay\":null"), std::string::npos);
-  EXPECT_NE(text.find("\"series\": []"), std::string::npos);
+  EXPECT_NE(text.find("\"series_bytes\": 0,"), std::string::npos);
   EXPECT_EQ(text.find("\"accuracy_pct\":null"), std::string::npos);
 }
 
