@@ -6,6 +6,7 @@
 
 #include "datasets/files/text.h"
 #include "datasets/recording/scans/input_parameters.h"
+#include "experiments/avoidance/flight_study.h"
 #include "experiments/study/study_json.h"
 
 namespace experiments {
@@ -50,6 +51,14 @@ struct RangeText {
   }
 };
 
+/// Of a study of either kind.
+StudyOutline outline_of(const std::string& name, const StudyOptions& options,
+                        const DataFolders& folders) {
+  const std::filesystem::path file = folders.studies.file(name);
+  return is_flight_study(file) ? outline(read_flight_study(file, folders.corridors, options))
+                               : outline(read_study(file, folders.scenarios, options));
+}
+
 }  // namespace
 
 void list_methods(std::ostream& out) {
@@ -89,12 +98,12 @@ void list_parameters(const std::optional<std::string>& name, std::ostream& out) 
 }
 
 void list_studies(const DataFolders& folders, bool json, std::ostream& out) {
-  std::vector<Study> studies;
+  std::vector<StudyOutline> studies;
   std::vector<Row> rows;
   for (const std::string& name : folders.studies.names()) {
-    studies.push_back(read_study(folders.studies.file(name), folders.scenarios));
-    const Study& study = studies.back();
-    rows.push_back({name, std::to_string(study.trial_count()), study.title});
+    studies.push_back(outline_of(name, {}, folders));
+    const StudyOutline& study = studies.back();
+    rows.push_back({name, std::to_string(study.trials.size()), study.title});
   }
   if (json) {
     out << studies_json(studies);
@@ -105,12 +114,12 @@ void list_studies(const DataFolders& folders, bool json, std::ostream& out) {
 
 void list_trials(const std::string& name, const StudyOptions& options, const DataFolders& folders,
                  bool json, std::ostream& out) {
-  const Study study = read_study(folders.studies.file(name), folders.scenarios, options);
+  const StudyOutline study = outline_of(name, options, folders);
   if (json) {
     out << trials_json(study);
     return;
   }
-  for (const Trial& trial : trials(study)) out << trial_id(study, trial) << '\n';
+  for (const StudyOutline::Trial& trial : study.trials) out << trial.id << '\n';
 }
 
 }  // namespace experiments

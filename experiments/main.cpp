@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "datasets/files/text.h"
+#include "experiments/avoidance/flight_study.h"
+#include "experiments/avoidance/fly.h"
 #include "experiments/listings.h"
 #include "experiments/method/plugins.h"
 #include "experiments/method/provenance.h"
@@ -66,6 +68,7 @@ class CommandLine {
     add_score();
     add_render();
     add_view();
+    add_fly();
     add_trial();
   }
 
@@ -252,6 +255,25 @@ class CommandLine {
                       "skip and count the frames of a log that are broken");
   }
 
+  void add_fly() {
+    CLI::App* command =
+        add_list("fly",
+                 "fly from start to goal by what a method maps; writes flight.csv, obstacles.csv, "
+                 "plans.csv and summary.json",
+                 "ldm fly ldm moving10_10 --seed 1 -o out", [this] {
+                   fly_.command = datasets::command_line(words_);
+                   experiments::fly(fly_, folders(), std::cout);
+                 });
+    command->add_option("ARM", fly_.arm, "a method, or blind, oracle, oracle_future")->required();
+    command->add_option("WORLD", fly_.world, "name in datasets/corridors, or .toml file")
+        ->required();
+    command->add_option("--seed", fly_.seed, "of the world")->capture_default_str();
+    repeatable(command->add_option("--set", fly_.settings,
+                                   "name=value of flight, trust or map (docs/avoidance.md); may be "
+                                   "repeated"));
+    command->add_option("-o,--output", fly_.output, "folder, made if it is missing")->required();
+  }
+
   void add_trial() {
     CLI::App* command =
         add("trial", "run one trial of a study and write its record, or several",
@@ -286,12 +308,24 @@ class CommandLine {
     trial_.data_dir = data_dir_;
     trial_.plugins = plugins_;
     int code = kGood;
-    experiments::run_trials(trial_, trial_ids_, [&](const experiments::TrialRecord& record) {
-      const bool alone = trial_ids_.size() == 1;
-      experiments::write_record(record, alone ? records_ : records_ / (record.id + ".json"));
-      if (record.error && !trial_.failure) {
-        code = complain("trial " + record.id + " failed: " + *record.error, kFailed);
+    const auto note = [&](const std::string& id, const std::optional<std::string>& error) {
+      if (error && !trial_.failure) {
+        code = complain("trial " + id + " failed: " + *error, kFailed);
       }
+    };
+    const auto file_of = [&](const std::string& id) {
+      return trial_ids_.size() == 1 ? records_ : records_ / (id + ".json");
+    };
+    if (experiments::is_flight_study(folders().studies.file(trial_.study))) {
+      for (const std::string& id : trial_ids_) {
+        trial_.id = id;
+        note(id, experiments::run_flight_trial(trial_, file_of(id)));
+      }
+      return code;
+    }
+    experiments::run_trials(trial_, trial_ids_, [&](const experiments::TrialRecord& record) {
+      experiments::write_record(record, file_of(record.id));
+      note(record.id, record.error);
     });
     return code;
   }
@@ -310,6 +344,7 @@ class CommandLine {
   experiments::ScoreRequest score_;
   experiments::RenderRequest render_;
   experiments::ViewRequest view_;
+  experiments::FlyRequest fly_;
   experiments::TrialRequest trial_;
   std::vector<std::string> trial_ids_;
   std::filesystem::path records_;

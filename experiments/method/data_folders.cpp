@@ -46,6 +46,7 @@ fs::path DataFolder::file(std::string_view name) const {
 
 DataFolders::DataFolders(const std::optional<std::string>& root)
     : scenarios{"scenario", root_folder(root) / "datasets" / "scenarios"},
+      corridors{"world", root_folder(root) / "datasets" / "corridors"},
       presets{"preset", root_folder(root) / "datasets" / "presets"},
       studies{"study", root_folder(root) / "experiments" / "studies"} {}
 

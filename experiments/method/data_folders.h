@@ -10,7 +10,7 @@ namespace experiments {
 
 /// TOML files of one kind.
 struct DataFolder {
-  std::string kind;  ///< "scenario", "study" or "preset", for messages
+  std::string kind;  ///< "scenario", "world", "study" or "preset", for messages
   std::filesystem::path path;
 
   /// Names without `.toml`, sorted.
@@ -22,13 +22,14 @@ struct DataFolder {
 };
 
 struct DataFolders {
-  /// @param root folder that holds `datasets/scenarios`, `datasets/presets` and
-  /// `experiments/studies`; by default LDM_DATA_DIR of the environment, without that what was
+  /// @param root folder that holds `datasets/scenarios`, `datasets/corridors`, `datasets/presets`
+  /// and `experiments/studies`; by default LDM_DATA_DIR of the environment, without that what was
   /// installed beside the program, and without that the source tree of the build.
   explicit DataFolders(const std::optional<std::string>& root);
 
   DataFolder scenarios;
-  DataFolder presets;  ///< parameter files by name, as in `-c road`
+  DataFolder corridors;  ///< worlds to fly through
+  DataFolder presets;    ///< parameter files by name, as in `-c road`
   DataFolder studies;
 };
 

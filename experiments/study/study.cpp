@@ -75,17 +75,6 @@ void replace_entrants(const std::vector<std::string>& methods, Study& study) {
   }
 }
 
-/// @param scenarios folder `datasets/scenarios` of the data folder
-ReadFile read_file(const std::filesystem::path& path, const DataFolder& scenarios) {
-  const auto data = std::filesystem::weakly_canonical(scenarios.path / ".." / "..");
-  const auto file = std::filesystem::weakly_canonical(path);
-  const auto relative = file.lexically_relative(data);
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  const bool inside = !relative.empty() && *relative.begin() != "..";
-  return {(inside ? relative : file).string(), datasets::hex(datasets::hash({content.str()}))};
-}
-
 void read_scenarios(const TomlTable& file, const DataFolder& folder, Study& study) {
   const std::string place = file.place("scenarios");
   for (const std::string& name : file.texts("scenarios", {.min = 1})) {
@@ -177,6 +166,16 @@ void check_trials(const Study& study) {
 }
 
 }  // namespace
+
+ReadFile read_file(const std::filesystem::path& path, const DataFolder& folder) {
+  const auto data = std::filesystem::weakly_canonical(folder.path / ".." / "..");
+  const auto file = std::filesystem::weakly_canonical(path);
+  const auto relative = file.lexically_relative(data);
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  const bool inside = !relative.empty() && *relative.begin() != "..";
+  return {(inside ? relative : file).string(), datasets::hex(datasets::hash({content.str()}))};
+}
 
 Study read_study(const std::filesystem::path& path, const DataFolder& scenarios,
                  const StudyOptions& options) {

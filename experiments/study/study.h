@@ -41,6 +41,10 @@ struct ReadFile {
   std::string hash;  ///< of its bytes, in hex
 };
 
+/// The file as it is now.
+/// @param folder of a kind, such as `datasets/scenarios`, in the data folder
+ReadFile read_file(const std::filesystem::path& file, const DataFolder& folder);
+
 struct Study {
   std::string name;  ///< stem of its file
   std::string title;

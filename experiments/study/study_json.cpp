@@ -7,34 +7,52 @@
 namespace experiments {
 namespace {
 
-Json methods_json(const Study& study) {
+Json methods_json(const StudyOutline& study) {
   Json json = Json::object();
-  for (const Entrant& entrant : study.entrants) json[entrant.name] = entrant.method->name;
+  for (const auto& [name, method] : study.methods) json[name] = method;
   return json;
 }
 
 }  // namespace
 
-std::string studies_json(const std::vector<Study>& studies) {
+StudyOutline outline(const Study& study) {
+  StudyOutline found{.name = study.name,
+                     .title = study.title,
+                     .file = study.file,
+                     .scenario_files = study.scenario_files,
+                     .frames = study.frames,
+                     .methods = {},
+                     .trials = {}};
+  for (const Entrant& entrant : study.entrants) {
+    found.methods.emplace_back(entrant.name, entrant.method->name);
+  }
+  for (const Trial& trial : trials(study)) {
+    found.trials.push_back({trial_id(study, trial), study.scenarios[trial.scenario].name,
+                            study.entrants[trial.entrant].name, trial.replicate});
+  }
+  return found;
+}
+
+std::string studies_json(const std::vector<StudyOutline>& studies) {
   Json json = Json::array();
-  for (const Study& study : studies) {
+  for (const StudyOutline& study : studies) {
     json.push_back({{"study", study.name},
                     {"title", study.title},
-                    {"trials", study.trial_count()},
+                    {"trials", study.trials.size()},
                     {"frames", study.frames},
                     {"methods", methods_json(study)}});
   }
   return json.dump(1) + "\n";
 }
 
-std::string trials_json(const Study& study) {
+std::string trials_json(const StudyOutline& study) {
   Json files = {{study.file.path, study.file.hash}};
   for (const ReadFile& file : study.scenario_files) files[file.path] = file.hash;
   Json all = Json::array();
-  for (const Trial& trial : trials(study)) {
-    all.push_back({{"id", trial_id(study, trial)},
-                   {"scenario", study.scenarios[trial.scenario].name},
-                   {"method", study.entrants[trial.entrant].name},
+  for (const StudyOutline::Trial& trial : study.trials) {
+    all.push_back({{"id", trial.id},
+                   {"scenario", trial.scenario},
+                   {"method", trial.method},
                    {"replicate", trial.replicate}});
   }
   return dump({{"study", study.name},

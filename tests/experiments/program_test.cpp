@@ -23,7 +23,7 @@ TEST_F(Program, ListsWhatThereIs) {
 
 TEST_F(Program, EveryHelpHasAnExample) {
   for (const char* command : {"methods", "scenarios", "parameters", "studies", "trials", "trial",
-                              "simulate", "run", "score", "render", "view"}) {
+                              "simulate", "run", "score", "render", "view", "fly"}) {
     const Result result = ldm(std::string(command) + " --help");
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Example: ldm " + std::string(command)), std::string::npos)
@@ -34,7 +34,7 @@ TEST_F(Program, EveryHelpHasAnExample) {
 
 TEST_F(Program, RefusesABadCommandLine) {
   expect_bad("", "subcommand");
-  expect_bad("fly", "unknown subcommand fly: allowed: methods, scenarios");
+  expect_bad("swim", "unknown subcommand swim: allowed: methods, scenarios");
   expect_bad("run ldm scenario1", "--output");
   expect_bad("trials table1 --seeds 0", "--seeds");
   expect_bad("trials table1 --seeds many", "many");

@@ -37,4 +37,14 @@ BasisWeights basis_weights(double t, double knot_step, std::size_t segments,
   return weights;
 }
 
+Eigen::Vector3d curve_at(const std::vector<Eigen::Vector3d>& control_points, double knot_step,
+                         double t, Derivative derivative) {
+  const BasisWeights basis = basis_weights(t, knot_step, control_points.size() - 3, derivative);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < basis.weight.size(); ++i) {
+    sum += basis.weight[i] * control_points[basis.first + i];
+  }
+  return sum;
+}
+
 }  // namespace datasets

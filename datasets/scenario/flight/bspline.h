@@ -1,8 +1,10 @@
 #pragma once
 /// Uniform cubic B-spline basis: the weights that turn control points into a point of the flight
 /// path (paper Sec. 4.1.1).
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace datasets {
 
@@ -19,5 +21,10 @@ struct BasisWeights {
 /// `knot_step` [s] long; t is clamped to [0, segments * knot_step]. A knot belongs to the segment
 /// it begins; the last one to the segment it ends.
 BasisWeights basis_weights(double t, double knot_step, std::size_t segments, Derivative derivative);
+
+/// The curve of these control points (at least 4), or its derivative, at time t [s], clamped as
+/// above.
+Eigen::Vector3d curve_at(const std::vector<Eigen::Vector3d>& control_points, double knot_step,
+                         double t, Derivative derivative = Derivative::kPosition);
 
 }  // namespace datasets

@@ -16,16 +16,6 @@ constexpr double kGravity = 9.81;       // [m/s^2]
 constexpr double kTrailerLength = 0.5;  // [m]: the heading follows a turn this much later
 constexpr int kHeadingsPerSegment = 16;
 
-Eigen::Vector3d evaluate(const std::vector<Eigen::Vector3d>& control_points, double knot_step,
-                         double t, Derivative derivative) {
-  const BasisWeights basis = basis_weights(t, knot_step, control_points.size() - 3, derivative);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < basis.weight.size(); ++i) {
-    sum += basis.weight[i] * control_points[basis.first + i];
-  }
-  return sum;
-}
-
 /// Angle between a trailer's drawbar and the motion of its tip after the tip went straight on by
 /// `distance` [m], from `angle` in [-pi, pi]: the tractrix, in closed form.
 double towed(double angle, double distance) {
@@ -48,15 +38,15 @@ FlightPath::FlightPath(std::vector<Eigen::Vector3d> control_points, double knot_
 }
 
 Eigen::Vector3d FlightPath::position(double t) const {
-  return evaluate(control_points_, knot_step_, t, Derivative::kPosition);
+  return curve_at(control_points_, knot_step_, t);
 }
 
 Eigen::Vector3d FlightPath::velocity(double t) const {
-  return evaluate(control_points_, knot_step_, t, Derivative::kVelocity);
+  return curve_at(control_points_, knot_step_, t, Derivative::kVelocity);
 }
 
 Eigen::Vector3d FlightPath::acceleration(double t) const {
-  return evaluate(control_points_, knot_step_, t, Derivative::kAcceleration);
+  return curve_at(control_points_, knot_step_, t, Derivative::kAcceleration);
 }
 
 /// The direction of motion is undefined in hover and jumps at a reversal. That of a trailer towed
@@ -95,14 +85,17 @@ double FlightPath::heading(double t) const {
 }
 
 ldm::Pose FlightPath::T_world_uav(double t) const {
-  const double yaw = heading(t);
-  const Eigen::Vector3d forward(std::cos(yaw), std::sin(yaw), 0);
-  const Eigen::Vector3d thrust =
-      (acceleration(t) + kGravity * Eigen::Vector3d::UnitZ()).normalized();
+  return multirotor_pose(position(t), acceleration(t), heading(t));
+}
+
+ldm::Pose multirotor_pose(const Eigen::Vector3d& position, const Eigen::Vector3d& acceleration,
+                          double heading) {
+  const Eigen::Vector3d forward(std::cos(heading), std::sin(heading), 0);
+  const Eigen::Vector3d thrust = (acceleration + kGravity * Eigen::Vector3d::UnitZ()).normalized();
   const Eigen::Vector3d left = thrust.cross(forward).normalized();
   ldm::Pose pose;
   pose.rotation << left.cross(thrust), left, thrust;
-  pose.translation = position(t);
+  pose.translation = position;
   return pose;
 }
 

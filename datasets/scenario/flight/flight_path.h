@@ -48,6 +48,10 @@ class FlightPath {
   std::vector<double> headings_;  // [rad], not wrapped; evenly spaced in time
 };
 
+/// Pose (T_world_uav) of a multirotor with that acceleration [m/s^2] and heading [rad].
+ldm::Pose multirotor_pose(const Eigen::Vector3d& position, const Eigen::Vector3d& acceleration,
+                          double heading);
+
 /// Fit smoothness, waypoints, limits and clearance. Same task, same bits. The path passes
 /// beside a waypoint where a limit or a keep-out keeps it off. Cost: about 0.1 s for 120 s and 20
 /// keep-outs.

@@ -1,0 +1,56 @@
+#include "experiments/avoidance/arms.h"
+
+#include <string>
+#include <vector>
+
+#include "datasets/files/text.h"
+
+namespace experiments {
+namespace {
+
+constexpr Control kControls[] = {
+    {ArmKind::kBlind, "blind", "knows nothing: the straight line"},
+    {ArmKind::kOracle, "oracle", "knows the true shapes, which move on as they do"},
+    {ArmKind::kOracleFuture, "oracle_future", "knows the true shapes, and where they will be"},
+};
+
+}  // namespace
+
+std::span<const Control> controls() {
+  return kControls;
+}
+
+std::unique_ptr<Sight> Arm::sight(const ldm::Parameters& parameters,
+                                  const Corridor& corridor) const {
+  if (method != nullptr) return mapped_sight(*method, parameters, trust);
+  return true_sight(parameters, corridor.obstacles, kind == ArmKind::kOracleFuture, trust);
+}
+
+Arm find_arm(std::string_view name) {
+  Arm arm;
+  arm.name = name;
+  std::vector<std::string_view> known;
+  for (const Control& control : kControls) {
+    known.push_back(control.name);
+    if (control.name != name) continue;
+    arm.kind = control.kind;
+    if (control.kind == ArmKind::kBlind) arm.method = &find_method("empty_map");
+    return arm;
+  }
+  for (const Method& method : methods()) {
+    known.push_back(method.name);
+    if (method.name != name) continue;
+    arm.method = &method;
+    return arm;
+  }
+  throw ldm::InvalidInput("unknown arm " + std::string(name) +
+                          ": allowed: " + datasets::joined(known));
+}
+
+ldm::Parameters arm_parameters(const Arm& arm) {
+  ldm::Parameters parameters = arm.method ? default_parameters(*arm.method) : ldm::Parameters{};
+  parameters.map.voxels = {64, 64, 24};
+  return parameters;
+}
+
+}  // namespace experiments

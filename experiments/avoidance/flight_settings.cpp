@@ -1,0 +1,61 @@
+#include "experiments/avoidance/flight_settings.h"
+
+#include <charconv>
+#include <string>
+
+#include "datasets/files/toml_reader.h"
+
+namespace experiments {
+namespace {
+
+bool is_of_flight(std::string_view name) {
+  return name.starts_with("trust.") || name.starts_with("flight.");
+}
+
+/// Sets the value of one name.
+struct Setter {
+  const Setting& setting;
+  bool found = false;
+
+  void operator()(std::string_view name, double& value, double min, double max) {
+    if (name != setting.name) return;
+    found = true;
+    const char* const end = setting.value.data() + setting.value.size();
+    double number = 0;
+    const auto [read, error] = std::from_chars(setting.value.data(), end, number);
+    if (error != std::errc() || read != end || !(number >= min && number <= max)) {
+      refuse(setting, datasets::within("a number", datasets::Numbers{min, max}));
+    }
+    value = number;
+  }
+};
+
+}  // namespace
+
+FlightSettings flight_settings(std::string_view arm) {
+  FlightSettings settings;
+  settings.arm = find_arm(arm);
+  settings.map = arm_parameters(settings.arm);
+  return settings;
+}
+
+bool uses(const FlightSettings& settings, std::string_view name) {
+  if (is_of_flight(name)) return true;
+  const Method* const method = settings.arm.method;
+  return method != nullptr ? uses(*method, name) : name.starts_with("map.");
+}
+
+void apply(const Setting& setting, FlightSettings& settings) {
+  if (is_of_flight(setting.name)) {
+    Setter setter{setting};
+    visit_flight_settings(settings, setter);
+    if (!setter.found) refuse(setting, "a value that docs/avoidance.md lists");
+    return;
+  }
+  apply(setting, settings.map);
+  if (!uses(settings, setting.name)) {
+    refuse(setting, "values that the arm " + std::string(settings.arm.name) + " uses");
+  }
+}
+
+}  // namespace experiments

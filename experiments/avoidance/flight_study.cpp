@@ -1,0 +1,236 @@
+#include "experiments/avoidance/flight_study.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "datasets/files/partial_file.h"
+#include "datasets/files/text.h"
+#include "datasets/files/toml_reader.h"
+#include "datasets/hash.h"
+#include "experiments/avoidance/flight_record.h"
+#include "experiments/study/seeds.h"
+
+namespace experiments {
+namespace {
+
+using datasets::TomlTable;
+
+/// Runs `action`; what it throws on bad input begins with that place then.
+template <class Action>
+void at_place(const std::string& place, Action action) {
+  try {
+    action();
+  } catch (const ldm::InvalidInput& error) {
+    throw ldm::InvalidInput(place + ": " + error.what());
+  }
+}
+
+void read_worlds(const TomlTable& file, const DataFolder& corridors, FlightStudy& study) {
+  for (const std::string& name : file.texts("worlds", {.min = 1})) {
+    at_place(file.place("worlds"), [&] {
+      const std::filesystem::path path = corridors.file(name);
+      study.worlds.push_back(datasets::read_scenario(path));
+      study.world_files.push_back(read_file(path, corridors));
+      datasets::Scenario& world = study.worlds.back();
+      if (study.frames > world.frames) {
+        throw ldm::InvalidInput("frames = " + std::to_string(study.frames) +
+                                ": allowed: at most the " + std::to_string(world.frames) + " of " +
+                                world.name);
+      }
+      world.frames = study.frames;
+      draw_corridor(world, 1);  // whether it is a corridor at all
+    });
+  }
+}
+
+void read_arms(const TomlTable& file, const StudyOptions& options, FlightStudy& study) {
+  for (const char* key : {"controls", "methods"}) {
+    for (const std::string& name : file.texts(key)) {
+      at_place(file.place(key), [&] { find_arm(name); });
+      study.arms.push_back(name);
+    }
+  }
+  if (!options.methods.empty()) study.arms = options.methods;
+  for (const std::string& name : study.arms) {
+    find_arm(name);
+    if (std::count(study.arms.begin(), study.arms.end(), name) > 1) {
+      throw ldm::InvalidInput(file.place("methods") + ": " + name +
+                              " comes twice: allowed: each arm once");
+    }
+  }
+}
+
+/// That each value fits the arms that use it, and one does.
+void check_values(const FlightStudy& study) {
+  for (const std::string& arm : study.arms) {
+    FlightSettings scratch = flight_settings(arm);
+    for (const Setting& setting : study.settings) {
+      if (uses(scratch, setting.name)) apply(setting, scratch);
+    }
+    for (const Point& point : study.points) {
+      for (const Setting& setting : point) {
+        if (uses(scratch, setting.name)) apply(setting, scratch);
+      }
+    }
+  }
+  const auto check_used = [&](const Setting& setting) {
+    const bool used = std::any_of(study.arms.begin(), study.arms.end(), [&](const auto& arm) {
+      return uses(flight_settings(arm), setting.name);
+    });
+    if (!used) refuse(setting, "values that an arm of the study uses");
+  };
+  for (const Setting& setting : study.settings) check_used(setting);
+  for (const Setting& setting : study.points.front()) check_used(setting);
+}
+
+FlightSettings trial_settings(const FlightStudy& study, const FlightTrial& trial) {
+  FlightSettings settings = flight_settings(study.arms[trial.arm]);
+  for (const Settings* all : {&study.settings, &study.points[trial.point]}) {
+    for (const Setting& setting : *all) {
+      if (uses(settings, setting.name)) apply(setting, settings);
+    }
+  }
+  settings.map.execution.seed = filter_seed(study.name, describe(study.points[trial.point]),
+                                            trial.replicate, study.arms[trial.arm]);
+  return settings;
+}
+
+std::uint64_t corridor_seed(const datasets::Scenario& world, std::int64_t replicate) {
+  return datasets::hash({"corridor", world.name, std::to_string(replicate)});
+}
+
+/// The same for the same trial, however it was asked for.
+std::string repeating_command(const TrialRequest& request, const FlightStudy& study) {
+  std::vector<std::string> words = {"ldm"};
+  if (request.data_dir) words.insert(words.end(), {"--data-dir", *request.data_dir});
+  for (const std::string& file : request.plugins) words.insert(words.end(), {"--plugin", file});
+  words.insert(words.end(),
+               {"trial", request.study, request.id, "--seeds", std::to_string(study.seeds),
+                "--frames", std::to_string(study.frames), "-o", request.id + ".json"});
+  for (const std::string& method : request.options.methods) {
+    words.insert(words.end(), {"--method", method});
+  }
+  return datasets::command_line(words);
+}
+
+/// Flies it; what is thrown on the way becomes its error.
+void fly_trial(FlightRecord& record) {
+  try {
+    const FlightTask task = flight_task(record.world, record.seed, record.settings);
+    const Arm& arm = record.settings.arm;
+    record.flight = fly(task, *arm.sight(record.settings.map, task.corridor));
+    record.scores = flight_scores(task, record.flight);
+  } catch (const std::exception& error) {
+    record.error = datasets::single_line(error.what());
+  }
+}
+
+}  // namespace
+
+bool is_flight_study(const std::filesystem::path& file) {
+  return TomlTable::open(file).has("controls");
+}
+
+FlightStudy read_flight_study(const std::filesystem::path& path, const DataFolder& corridors,
+                              const StudyOptions& options) {
+  const TomlTable file = TomlTable::open(path);
+  FlightStudy study;
+  study.name = path.stem().string();
+  study.file = read_file(path, corridors);
+  study.title = file.text("title");
+  study.seeds = file.integer("seeds", {.min = 1, .max = 100000});
+  study.first_seed = file.integer("first_seed", {.min = 1, .max = 100000}, 1);
+  study.frames = file.integer("frames", {.min = 1, .max = 1000000});
+  if (options.seeds) study.seeds = *options.seeds;
+  if (options.frames) study.frames = *options.frames;
+  read_arms(file, options, study);
+  read_worlds(file, corridors, study);
+  if (file.has("set")) study.settings = settings_of(file.table("set"));
+  study.points = {Point{}};
+  if (file.has("sweep")) study.points = read_points(file.table("sweep"));
+  file.reject_unknown_keys();
+  check_values(study);
+  return study;
+}
+
+std::vector<FlightTrial> flight_trials(const FlightStudy& study) {
+  std::vector<FlightTrial> all;
+  const bool swept = !study.points.front().empty();
+  for (std::int64_t k = 0; k < study.seeds; ++k) {
+    for (std::size_t world = 0; world < study.worlds.size(); ++world) {
+      for (std::size_t point = 0; point < study.points.size(); ++point) {
+        for (std::size_t arm = 0; arm < study.arms.size(); ++arm) {
+          char of_point[32] = "", of_seed[32];
+          if (swept) std::snprintf(of_point, sizeof of_point, ".p%02zu", point + 1);
+          const std::int64_t replicate = study.first_seed + k;
+          std::snprintf(of_seed, sizeof of_seed, ".s%03lld", static_cast<long long>(replicate));
+          all.push_back({study.worlds[world].name + "." + study.arms[arm] + of_point + of_seed,
+                         world, arm, point, replicate});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+StudyOutline outline(const FlightStudy& study) {
+  StudyOutline found{.name = study.name,
+                     .title = study.title,
+                     .file = study.file,
+                     .scenario_files = study.world_files,
+                     .frames = study.frames,
+                     .methods = {},
+                     .trials = {}};
+  for (const std::string& name : study.arms) {
+    const Arm arm = find_arm(name);
+    found.methods.emplace_back(name, arm.method != nullptr ? std::string(arm.method->name) : name);
+  }
+  for (const FlightTrial& trial : flight_trials(study)) {
+    found.trials.push_back(
+        {trial.id, study.worlds[trial.world].name, study.arms[trial.arm], trial.replicate});
+  }
+  return found;
+}
+
+FlightTask flight_task(const datasets::Scenario& world, std::uint64_t seed,
+                       const FlightSettings& settings) {
+  return {.corridor = draw_corridor(world, seed),
+          .sensor = world.sensor,
+          .noise_seed = seed,
+          .planner = settings.planner,
+          .delay = settings.delay};
+}
+
+std::optional<std::string> run_flight_trial(const TrialRequest& request,
+                                            const std::filesystem::path& path) {
+  const DataFolders folders(request.data_dir);
+  const FlightStudy study =
+      read_flight_study(folders.studies.file(request.study), folders.corridors, request.options);
+  const std::vector<FlightTrial> all = flight_trials(study);
+  const auto trial = std::find_if(all.begin(), all.end(),
+                                  [&](const FlightTrial& t) { return t.id == request.id; });
+  if (trial == all.end()) {
+    throw ldm::InvalidInput("study " + study.name + " has no trial " + request.id +
+                            ": allowed: an id that `ldm trials " + study.name + "` lists");
+  }
+  FlightRecord record;
+  record.command = repeating_command(request, study);
+  record.study = study.name;
+  record.id = trial->id;
+  record.point = study.points[trial->point];
+  record.world = study.worlds[trial->world];
+  record.replicate = trial->replicate;
+  record.seed = corridor_seed(record.world, trial->replicate);
+  record.settings = trial_settings(study, *trial);
+  record.files = {study.file, study.world_files[trial->world]};
+  record.serial = request.serial;
+  record.error = request.failure;
+  if (!record.error) fly_trial(record);
+  datasets::PartialFile file(path);
+  file.stream() << to_json(record, provenance());
+  file.commit();
+  return record.error;
+}
+
+}  // namespace experiments

@@ -1,0 +1,143 @@
+#include "experiments/avoidance/flight_study.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/experiments/program.h"
+#include "tests/source_folder.h"
+#include "tests/text_file.h"
+
+namespace experiments {
+namespace {
+
+const char kTiny[] =
+    "title = \"tiny\"\nworlds = [\"still8\", \"moving5_05\"]\ncontrols = [\"blind\"]\n"
+    "methods = [\"circular_buffer\"]\nseeds = 2\nframes = 30\n";
+
+class FlightStudyTest : public Program {
+ protected:
+  std::string write(const std::string& text) { return folder_.write("tiny.toml", text).string(); }
+  FlightStudy read(const std::string& text, const StudyOptions& options = {}) {
+    const DataFolders shipped{tests::source_folder().string()};
+    return read_flight_study(write(text), shipped.corridors, options);
+  }
+  /// What reading says after one part of the tiny study was replaced.
+  std::string error_with(const std::string& part, const std::string& replacement) {
+    std::string text = kTiny;
+    text.replace(text.find(part), part.size(), replacement);
+    return tests::message_of<ldm::InvalidInput>([&] { read(text); });
+  }
+  /// The record's text up to its timing.
+  std::string record(const std::string& id) {
+    const std::string file = (folder_.path() / "record.json").string();
+    TrialRequest request;
+    request.study = write(kTiny);
+    request.id = id;
+    request.data_dir = tests::source_folder().string();
+    EXPECT_EQ(run_flight_trial(request, file), std::nullopt);
+    const std::string text = folder_.read("record.json");
+    return text.substr(0, text.find("\n \"timing\""));
+  }
+};
+
+TEST_F(FlightStudyTest, ListsEveryTrialOnceReplicateByReplicate) {
+  const std::vector<FlightTrial> all = flight_trials(read(
+      std::string(kTiny) + "first_seed = 7\n[sweep.axes]\n\"trust.margin_m\" = [0, 0.1, 0.2]\n"));
+  std::set<std::string> ids;
+  for (const FlightTrial& trial : all) ids.insert(trial.id);
+  EXPECT_EQ(all.size(), 2U * 2U * 3U * 2U);
+  EXPECT_EQ(ids.size(), all.size());
+  EXPECT_EQ(all.front().id, "still8.blind.p01.s007");
+  EXPECT_EQ(all.back().id, "moving5_05.circular_buffer.p03.s008");
+}
+
+TEST_F(FlightStudyTest, ShippedOnesCanBeRead) {
+  const DataFolders shipped{tests::source_folder().string()};
+  for (const char* name : {"avoidance", "avoidance_trust"}) {
+    const std::filesystem::path file = shipped.studies.file(name);
+    EXPECT_TRUE(is_flight_study(file));
+    EXPECT_GT(flight_trials(read_flight_study(file, shipped.corridors)).size(), 100U);
+  }
+  EXPECT_FALSE(is_flight_study(shipped.studies.file("table1")));
+}
+
+TEST_F(FlightStudyTest, TunesOnSeedsOfItsOwn) {
+  const DataFolders shipped{tests::source_folder().string()};
+  const FlightStudy study = read_flight_study(shipped.studies.file("avoidance"), shipped.corridors);
+  const FlightStudy tuning =
+      read_flight_study(shipped.studies.file("avoidance_trust"), shipped.corridors);
+  EXPECT_GE(tuning.first_seed, 1001) << "beyond the 100 seeds of a full study";
+  EXPECT_LT(study.first_seed + study.seeds, 1001);
+}
+
+TEST_F(FlightStudyTest, NamesWhatIsWrong) {
+  EXPECT_NE(error_with("still8", "nowhere").find("tiny.toml:2: unknown world nowhere: allowed: "),
+            std::string::npos);
+  EXPECT_NE(error_with("\"blind\"", "\"deaf\"").find("tiny.toml:3: unknown arm deaf: allowed: "),
+            std::string::npos);
+  EXPECT_NE(error_with("\"blind\"", "\"circular_buffer\"")
+                .find("circular_buffer comes twice: allowed: each arm once"),
+            std::string::npos);
+  EXPECT_NE(error_with("30", "4000").find("frames = 4000: allowed: at most the 400 of still8"),
+            std::string::npos);
+  EXPECT_NE(error_with("30", "30\nspeed = 3").find("tiny.toml:7: speed"), std::string::npos);
+  EXPECT_NE(error_with("30", "30\n[set]\n\"trust.margin_m\" = 2")
+                .find("trust.margin_m = 2: allowed: a number in [0, 1]"),
+            std::string::npos);
+  EXPECT_NE(error_with("30", "30\n[set]\n\"trust.margins\" = 2").find("trust.margins = 2: allowed"),
+            std::string::npos);
+  EXPECT_NE(error_with("30", "30\n[set]\n\"particles.count\" = 9")
+                .find("particles.count = 9: allowed: values that an arm of the study uses"),
+            std::string::npos);
+}
+
+TEST_F(FlightStudyTest, RecordsTheSameFlightTwiceButForTheTimes) {
+  const std::string first = record("still8.circular_buffer.s002");
+  EXPECT_EQ(first, record("still8.circular_buffer.s002"));
+  EXPECT_NE(first.find("\"status\": \"ok\""), std::string::npos);
+  EXPECT_NE(first.find("\"outcome\": \"time_out\""), std::string::npos)
+      << "3 s are too short for 20 m";
+  EXPECT_NE(first.find("\"trust.margin_m\":"), std::string::npos);
+}
+
+TEST_F(FlightStudyTest, GivesEveryArmTheSameWorld) {
+  const auto seed = [&](const std::string& id) {
+    const std::string text = record(id);
+    return text.substr(text.find("\"scenario\":\""), 30);
+  };
+  EXPECT_EQ(seed("still8.blind.s001"), seed("still8.circular_buffer.s001"));
+  EXPECT_NE(seed("still8.blind.s001"), seed("still8.blind.s002"));
+}
+
+TEST_F(FlightStudyTest, RunsAsATrialOfTheProgram) {
+  const std::string study = write(kTiny);
+  const Result listed = ldm("trials tiny.toml");
+  EXPECT_EQ(listed.code, 0) << listed.error;
+  EXPECT_EQ(lines(listed.out), 8U);
+  const Result run = ldm("trial tiny.toml still8.blind.s001 -o record.json");
+  EXPECT_EQ(run.code, 0) << run.error;
+  EXPECT_TRUE(exists("record.json"));
+  expect_bad("trial tiny.toml still8.blind.s003 -o record.json", "study tiny has no trial");
+}
+
+TEST_F(FlightStudyTest, FliesOnceWithALog) {
+  const Result flown = ldm("fly circular_buffer still8 --seed 2 -o flown");
+  EXPECT_EQ(flown.code, 0) << flown.error;
+  EXPECT_EQ(lines(flown.out), 1U);
+  const std::string samples = folder_.read("flown/flight.csv");
+  EXPECT_TRUE(samples.starts_with("time_s,x_m,y_m,z_m,vx_mps,")) << samples.substr(0, 80);
+  EXPECT_GT(lines(samples), 400U) << "50 rows a second";
+  EXPECT_GT(lines(folder_.read("flown/obstacles.csv")), 8U * 20U);
+  EXPECT_GT(lines(folder_.read("flown/plans.csv")), 16U * 20U);
+  EXPECT_NE(folder_.read("flown/summary.json").find("\"scores\""), std::string::npos);
+  expect_bad("fly nobody still8 -o flown", "unknown arm nobody: allowed: blind, ");
+  expect_bad("fly ldm nowhere -o flown", "unknown world nowhere: allowed: ");
+  expect_bad("fly ldm still8 -o flown --set flight.delay_s=2",
+             "--set: flight.delay_s = 2: allowed: a number in [0, 1]");
+  expect_bad("fly oracle still8 -o flown --set particles.count=9",
+             "--set: particles.count = 9: allowed: values that the arm oracle uses");
+}
+
+}  // namespace
+}  // namespace experiments
