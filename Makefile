@@ -231,6 +231,8 @@ scripts_table1 = tables.table1 figures.velocity_figures
 scripts_velocity = tables.velocity figures.velocity_figures
 scripts_timing = figures.computation_time
 scripts_outdoor = figures.outdoor_figures
+scripts_avoidance = figures.avoidance_figures
+scripts_avoidance_trust = figures.avoidance_figures
 define draw
 $(foreach script,$(or $(scripts_$(call stem,$(STUDY))),figures.sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
 endef
@@ -317,6 +319,24 @@ conditions: program ## under which conditions the paper's claims hold; STAGE=nam
 timing: program ## computation time of each stage, trials one after the other
 	@$(call run_study,timing)
 	@$(call analyse,figures.computation_time,timing)
+
+# Who hits what, where: one world flown by every arm. Prints what it made.
+flights := $(RESULTS)/flights
+flown_world := moving10_10
+flown_seed := 1
+arms := blind current_scan octomap circular_buffer circular_buffer_pf ldm oracle oracle_future
+define draw_flights
+rm -rf '$(flights)' && mkdir -p '$(flights)' && \
+printf '%s\n' $(arms) | $(each) $(program_here) fly {} $(flown_world) --seed $(flown_seed) \
+  -o '$(flights)/{}' >/dev/null && \
+$(PYTHON) -m analysis.figures.flown_world --results '$(RESULTS)'
+endef
+
+.PHONY: avoidance
+avoidance: program ## the closed loop: who reaches the goal, upon which map: docs/avoidance.md
+	@$(call run_study,avoidance)
+	@$(call analyse,figures.avoidance_figures,avoidance)
+	@$(draw_flights)
 
 .PHONY: compare
 compare: STUDY = table1
