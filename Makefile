@@ -305,15 +305,29 @@ studies: program ## list the studies: number of trials, estimated time on JOBS c
 	@$(PYTHON) experiments/harness/list_studies.py --program '$(LDM)' --results '$(RESULTS)' \
 	  --jobs '$(JOBS)' --serial timing
 
-# Each stage by itself: STAGE=stage1. A trial that fails (no room for a world) costs its condition alone.
-CONDITIONS_STAGES = stage1 stage2a stage2b stage3
+# A trial that fails (no room for a world) costs its condition alone.
+conditions_stages := stage1 stage2a stage2b stage3
+rank = $(PYTHON) -m analysis.conditions.rank
 .PHONY: conditions
 conditions: program ## under which conditions the paper's claims hold; STAGE=name runs one stage: docs/conditions.md
-	@for stage in $(or $(STAGE),$(CONDITIONS_STAGES)); do \
+	@for stage in $(or $(STAGE),$(conditions_stages)); do \
 	  $(PYTHON) experiments/conditions/search.py $$stage --program $(LDM) --results $(RESULTS) \
 	    --jobs '$(JOBS)' || [ $$? = 1 ] || exit 2; \
-	  $(PYTHON) -m analysis.conditions.rank $$stage --results $(RESULTS) || exit; \
+	  $(rank) $$stage --results $(RESULTS) || exit; \
 	done
+	@$(draw_conditions)
+
+.PHONY: conditions-kept
+conditions-kept: setup ## tables and figures of the search that is kept in the repository, without a trial
+	@for stage in $(notdir $(wildcard analysis/conditions/kept/*)); do \
+	  $(rank) $$stage --results $(RESULTS) --kept analysis/conditions/kept || exit; \
+	done
+	@$(draw_conditions)
+
+define draw_conditions
+$(PYTHON) -m analysis.conditions.claims_map --results $(RESULTS) && \
+$(PYTHON) -m analysis.conditions.pair_map --results $(RESULTS)
+endef
 
 .PHONY: timing
 timing: program ## computation time of each stage, trials one after the other

@@ -1,6 +1,7 @@
 """The conditions of one stage of the search, nearest to the paper first.
 
-Reads   DIR/conditions/STAGE/conditions.csv, */records/*.json
+Reads   DIR/conditions/STAGE/conditions.csv, */records/*.json; with --kept no record, but what was kept of
+        an earlier search: conditions.csv and measures.csv.gz in FOLDER/STAGE
 Writes  DIR/conditions/STAGE/: measures.csv, outcomes.csv, ranking.csv
 Prints  the nearest ones
 
@@ -32,12 +33,16 @@ def main(argv: Sequence[str] | None = None) -> None:
     )
     parser.add_argument("stage", help="folder in DIR/conditions")
     parser.add_argument("--results", type=Path, default=Path("results"), metavar="DIR")
+    parser.add_argument("--kept", type=Path, metavar="FOLDER", help="of an earlier search")
     args = parser.parse_args(argv)
     folder = args.results / "conditions" / args.stage
-    conditions = read_conditions(folder)
-    found, notes = measured(folder, list(conditions.index))
-    for note in notes:
-        print(note, file=sys.stderr)
+    if args.kept:
+        write_csv(folder / "conditions.csv", read_conditions(args.kept / args.stage).reset_index())
+        found = pd.read_csv(args.kept / args.stage / "measures.csv.gz")
+    else:
+        found, notes = measured(folder, list(read_conditions(folder).index))
+        for note in notes:
+            print(note, file=sys.stderr)
     judged = {name: outcomes(of_one) for name, of_one in found.groupby("condition", sort=False)}
     write_csv(folder / "measures.csv", found)
     write_csv(folder / "outcomes.csv", outcomes_frame(judged))

@@ -41,6 +41,8 @@ def conditions_of(stage: dict, before: Path | None) -> dict[str, dict]:
     with (before / "ranking.csv").open(newline="", encoding="utf-8") as stream:
         ranked = [row["condition"] for row in csv.DictReader(stream)]
     kept = {name: known[name] for name in ranked[: stage["keep"]]}
+    if "hints" in stage:
+        kept |= read_conditions(STAGES.with_name(stage["hints"]))
     born = offspring(list(kept.values()), stage.get("offspring", 0))
     return kept | {f"{stage['name']}-{k:03d}": child for k, child in enumerate(born, start=1)}
 

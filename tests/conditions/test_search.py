@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 import search
 from design import read_conditions, space_filling
+from unknowns import unknowns
 from trials import METHODS, Trial, batches, parameters, trials, write_studies
 from worlds import scenario_text, toml
 
@@ -31,6 +32,12 @@ def stage(results, name, *options):
 def records(results, name):
     found = (results / "conditions" / name).glob("*/records/*.json")
     return sorted(file for file in found if not file.name.endswith(".series.json"))
+
+
+def test_hints_lie_within_the_ranges():
+    for hint in read_conditions(search.STAGES.with_name("hints.csv")).values():
+        for unknown in unknowns():
+            assert unknown.words or -0.01 <= unknown.share(hint[unknown.name]) <= 1.01
 
 
 def test_toml_comes_back():
@@ -107,7 +114,8 @@ def test_a_stage_runs_is_resumed_and_hands_over_to_the_next(tmp_path):
     assert second.returncode == 0, second.stderr
     found = read_conditions(tmp_path / "conditions" / "stage2a" / "conditions.csv")
     before = read_conditions(tmp_path / "conditions" / "stage1" / "conditions.csv")
-    assert list(found) == ["c0002", "stage2a-001"] and found["c0002"] == before["c0002"]
+    hints = read_conditions(search.STAGES.with_name("hints.csv"))
+    assert list(found) == ["c0002", *hints, "stage2a-001"] and found["c0002"] == before["c0002"]
 
 
 @needs_program

@@ -75,6 +75,19 @@ def test_a_condition_without_all_numbers_has_no_distance(results):
     assert list(ranking["condition"]) == ["far"]
 
 
+def test_what_was_kept_gives_the_same_without_a_record(results, tmp_path):
+    rank.main(["stage1", "--results", str(results)])
+    made = results / "conditions" / "stage1"
+    kept = tmp_path / "kept" / "stage1"
+    kept.mkdir(parents=True)
+    (kept / "conditions.csv").write_text((made / "conditions.csv").read_text())
+    pd.read_csv(made / "measures.csv").to_csv(kept / "measures.csv.gz", index=False)
+    rank.main(["stage1", "--results", str(tmp_path / "again"), "--kept", str(tmp_path / "kept")])
+    again = tmp_path / "again" / "conditions" / "stage1"
+    for name in ("conditions.csv", "outcomes.csv", "ranking.csv"):
+        assert (again / name).read_text() == (made / name).read_text()
+
+
 def test_without_a_stage_or_a_record_the_message_says_what_to_do(tmp_path):
     with pytest.raises(InputError, match="run the stage"):
         rank.main(["stage1", "--results", str(tmp_path)])
