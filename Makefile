@@ -316,11 +316,13 @@ conditions: program ## under which conditions the paper's claims hold; STAGE=nam
 	  $(rank) $$stage --results $(RESULTS) || exit; \
 	done
 	@$(draw_conditions)
+	@$(PYTHON) -m analysis.conditions.verdict_table $(or $(STAGE),stage3) --results $(RESULTS)
 
 .PHONY: conditions-kept
 conditions-kept: setup ## tables and figures of the search that is kept in the repository, without a trial
 	@for stage in $(notdir $(wildcard analysis/conditions/kept/*)); do \
-	  $(rank) $$stage --results $(RESULTS) --kept analysis/conditions/kept || exit; \
+	  $(rank) $$stage --results $(RESULTS) --kept analysis/conditions/kept && \
+	  $(PYTHON) -m analysis.conditions.verdict_table $$stage --results $(RESULTS) || exit; \
 	done
 	@$(draw_conditions)
 
