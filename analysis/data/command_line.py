@@ -42,7 +42,8 @@ def report_notes(study: Study) -> None:
 
 
 def run(main: Callable[[Sequence[str] | None], None], argv: Sequence[str] | None = None) -> int:
-    """Exit code of `main`: 0, or with one line on stderr 2 if the input is bad, 130 at Ctrl-C."""
+    """Exit code of `main`: 0, or with one line on stderr 2 if the input is bad, 1 if a file cannot be
+    written, 130 at Ctrl-C."""
     try:
         main(argv)
         sys.stdout.flush()
@@ -54,4 +55,7 @@ def run(main: Callable[[Sequence[str] | None], None], argv: Sequence[str] | None
         return 130
     except BrokenPipeError:  # whoever reads the printed table has seen enough; files are written
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
     return 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Iterable
@@ -115,6 +116,11 @@ def point_label(point: dict) -> str:
     return ", ".join(f"{name}={_text(value)}" for name, value in sorted(point.items()))
 
 
+def numbers_in_order(text: str) -> list[str | int]:
+    """A key that sorts p2 before p10, and p99 before p100."""
+    return [int(part) if part.isdecimal() else part for part in re.split(r"(\d+)", text)]
+
+
 def load_study(results: Path, name: str, methods: Iterable[str] = ()) -> Study:
     """Read results/NAME/records/*.json.
 
@@ -135,7 +141,8 @@ def load_study(results: Path, name: str, methods: Iterable[str] = ()) -> Study:
         if method not in own and beside.is_dir():
             more, more_notes = _read_folder(beside)
             good, notes = good + more, notes + more_notes
-    good.sort(key=lambda r: (r["scenario"], r["method"], r["id"]))  # ids number points in order
+    # Ids number points in order.
+    good.sort(key=lambda r: (r["scenario"], r["method"], numbers_in_order(r["id"])))
     refuse_mixtures(good, folder)
     rows = []
     for record in good:

@@ -13,6 +13,9 @@ RESAMPLES = 9999
 BOOTSTRAP_SEED = 20210088
 """Any fixed number: the same records give the same table."""
 
+LEAST_SEEDS = 5
+"""With fewer an interval says little: it is drawn from the same few values again and again."""
+
 SIGNIFICANCE = 0.05
 POWER = 0.8
 

@@ -11,6 +11,8 @@ from analysis.data.records import point_label
 _UNITS = {"_mps2": "m/s²", "_mps": "m/s", "_deg": "deg", "_hz": "Hz", "_m": "m", "_s": "s"}
 
 DECADE = 10.0
+SMALLEST_FACTOR = 1.5
+"""Steps by a smaller factor look alike on both kinds of axis."""
 
 
 @dataclass(frozen=True)
@@ -25,16 +27,31 @@ class SweepAxis:
     """Point label -> the other swept parameters, which a line is drawn for; mostly empty."""
     names: dict[str, str]
     """Point label -> short name of the point."""
+    order: list[str]
+    """Point labels as a table lists them: line by line, along the axis."""
+
+    @property
+    def values(self) -> list[float]:
+        """The different places, ascending."""
+        return sorted(set(self.place.values()))
 
     @property
     def logarithmic(self) -> bool:
-        """True if the values are positive and span a decade or more."""
-        return self.numeric and spans_decades(list(self.place.values()))
+        """True if the values are positive and span a decade or more, or are spaced by factors."""
+        return self.numeric and (spans_decades(self.values) or spaced_by_factors(self.values))
 
 
 def spans_decades(values: list[float]) -> bool:
     """True if all are positive and the largest is at least ten times the smallest."""
     return min(values) > 0 and max(values) >= DECADE * min(values)
+
+
+def spaced_by_factors(values: list[float]) -> bool:
+    """True if three or more ascending values grow by a factor that stays the same within 10%."""
+    if len(values) < 3 or min(values) <= 0:
+        return False
+    factors = [b / a for a, b in zip(values, values[1:])]
+    return max(factors) <= 1.1 * min(factors) and min(factors) >= SMALLEST_FACTOR
 
 
 def sweep_axis(points: dict[str, dict]) -> SweepAxis:
@@ -60,6 +77,7 @@ def sweep_axis(points: dict[str, dict]) -> SweepAxis:
         place={label: float(i) for i, label in enumerate(points)},
         line=dict.fromkeys(points, ""),
         names=_variant_names(points, list(values)),
+        order=list(points),
     )
 
 
@@ -78,7 +96,13 @@ def _numeric_axis(points: dict[str, dict], name: str, note: str, others: list[st
         place={label: float(point[name]) for label, point in points.items()},
         line={label: _short_label(point, others) for label, point in points.items()},
         names={label: _short_label(point, [name]) for label, point in points.items()},
+        order=sorted(points, key=lambda label: [_rank(points[label].get(n)) for n in (*others, name)]),
     )
+
+
+def _rank(value: object) -> tuple[bool, float, str]:
+    """Numbers by their size, then words."""
+    return (False, value, "") if _is_number(value) else (True, 0.0, json.dumps(value))
 
 
 def _swept_values(points: dict[str, dict]) -> dict[str, list]:

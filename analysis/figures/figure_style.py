@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 
 import matplotlib
@@ -10,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
-from analysis.data.output import write_text
+from analysis.data.output import write_bytes, write_text
 
 COLUMN_WIDTH = 3.4
 """Width of a column of the paper [in]."""
@@ -84,14 +85,21 @@ def legend_above(figure: Figure, axes: Axes, columns: int) -> None:
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - band))
 
 
+def write_picture(figure: Figure, file: Path, **options: object) -> None:
+    """Write `file` in the format that its name says; drawn before the file is there, so that a full
+    disk leaves no empty one."""
+    drawn = BytesIO()
+    figure.savefig(drawn, format=file.suffix[1:], **options)
+    write_bytes(file, drawn.getvalue())
+
+
 def save(figure: Figure, stem: Path, caption: str) -> list[Path]:
     """Write STEM.png, STEM.pdf and the caption as STEM.txt; returns the two pictures.
 
     No date and no program version goes into the files.
     """
-    stem.parent.mkdir(parents=True, exist_ok=True)
     png, pdf = stem.with_suffix(".png"), stem.with_suffix(".pdf")
-    figure.savefig(png, metadata={"Software": None})
-    figure.savefig(pdf, metadata={"CreationDate": None, "Creator": None, "Producer": None})
+    write_picture(figure, png, metadata={"Software": None})
+    write_picture(figure, pdf, metadata={"CreationDate": None, "Creator": None, "Producer": None})
     write_text(stem.with_suffix(".txt"), caption + "\n")
     return [png, pdf]

@@ -11,7 +11,7 @@ import numpy as np
 
 from analysis.data import command_line
 from analysis.data.errors import InputError
-from analysis.figures.figure_style import new_figure
+from analysis.figures.figure_style import new_figure, write_picture
 
 REDUCTION = 2
 """How many times smaller a picture is on the sheet."""
@@ -57,7 +57,7 @@ def draw(files: dict[tuple[str, str], Path], methods: list[str], sheet: Path) ->
                 axes.set_title(method, fontsize=14)
             if column == 0:
                 axes.set_ylabel(scenario, fontsize=14)
-    figure.savefig(sheet, dpi=_INCH)
+    write_picture(figure, sheet, dpi=_INCH)
 
 
 def main(argv: Sequence[str] | None = None) -> None:

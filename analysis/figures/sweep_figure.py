@@ -26,7 +26,7 @@ from analysis.data.output import write_csv, write_text
 from analysis.data.records import Study, load_study
 from analysis.data.scores import MAIN_SCORES, Score, find_scores
 from analysis.data.statistics import Interval
-from analysis.data.sweep_axis import SweepAxis, sweep_axis
+from analysis.data.sweep_axis import sweep_axis
 from analysis.figures.figure_style import save
 from analysis.figures.sweep_plots import dot_figure, line_figure
 from analysis.tables.beside import scenario_name
@@ -59,7 +59,7 @@ def table_text(study: Study, table: pd.DataFrame, scores: list[Score]) -> str:
     rows: list[list[str]] = []
     for scenario in study.scenarios:
         for method in study.methods:
-            for point in _ordered(study, axis):
+            for point in axis.order:
                 cells = [_cell(found.get((scenario, method, point, s.name)), s) for s in scores]
                 rows.append([*filter(None, [scenario_name(scenario), method, point]), *cells])
         rows.append([])
@@ -83,10 +83,6 @@ def shown_scores(table: pd.DataFrame, scores: list[Score], study: Study) -> list
         names = ", ".join(score.name for score in scores)
         raise InputError(f"{study.folder}: no trial has {names}")
     return found
-
-
-def _ordered(study: Study, axis: SweepAxis) -> list[str]:
-    return sorted(study.points, key=lambda point: (axis.line[point], axis.place[point]))
 
 
 def _cell(value: Interval | None, score: Score) -> str:

@@ -19,6 +19,7 @@ from analysis.figures.figure_style import (
 )
 from analysis.tables.beside import scenario_name
 
+MOST_TICKS = 6
 _LINE_STYLES = ["-", "--", ":", "-."]
 
 
@@ -48,6 +49,8 @@ def line_figure(
         panels[0][0].set_xscale("log")
         panels[0][0].xaxis.set_major_formatter(PLAIN_NUMBERS)
         panels[0][0].xaxis.set_minor_formatter(NullFormatter())
+        if not spans_decades(axis.values):  # powers of ten alone would be one tick, or none
+            panels[0][0].set_xticks(axis.values[:: 1 + len(axis.values) // MOST_TICKS])
     figure.supxlabel(axis.label, fontsize=8)
     figure.align_ylabels()
     _mark_empty(panels)

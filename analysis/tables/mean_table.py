@@ -14,12 +14,12 @@ def mean_table(study: Study, scores: Iterable[Score]) -> pd.DataFrame:
     """One row for each scenario, point, method and score that some seed has a value of."""
     scores = [score for score in scores if score.name in study.trials]
     rows = []
-    for group, trials in study.trials.groupby(["scenario", "point", "method"]):
+    for group, trials in study.trials.groupby(["scenario", "method", "point"], sort=False):
         for score in scores:
             found = mean_interval(trials[score.name].to_numpy())
             if found.n:
                 rows.append((*group, score.name, found.mean, found.low, found.high, found.n))
-    columns = ["scenario", "point", "method", "score", "mean", "low", "high", "seeds"]
+    columns = ["scenario", "method", "point", "score", "mean", "low", "high", "seeds"]
     return pd.DataFrame(rows, columns=columns)
 
 

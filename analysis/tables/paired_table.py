@@ -29,7 +29,7 @@ def paired_table(
     """
     scores = [score for score in scores if score.name in study.trials]
     rows = []
-    for (scenario, point), trials in study.trials.groupby(["scenario", "point"]):
+    for (scenario, point), trials in study.trials.groupby(["scenario", "point"], sort=False):
         by_method = {m: t.set_index("replicate") for m, t in trials.groupby("method")}
         for score in scores:
             for method, baseline in pairs:

@@ -71,7 +71,7 @@ def main() -> int:
 
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        show("list 10,008 trials", seconds([args.program, "trials", "table1", "--seeds", str(SEEDS)]),
+        show("list 10,008 trials", seconds([args.program, "trials", "table1", "--json", "--seeds", str(SEEDS)]),
              "s", LISTING_S)
         trial = short_trial_s(args.program, folder)
         around = study_s(folder, args.jobs)

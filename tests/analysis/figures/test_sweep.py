@@ -8,7 +8,7 @@ from record_files import make_record, write_records
 from analysis.data.command_line import run
 from analysis.data.records import load_study
 from analysis.data.scores import SCORES
-from analysis.data.sweep_axis import parameter_label, sweep_axis
+from analysis.data.sweep_axis import parameter_label, spaced_by_factors, sweep_axis
 from analysis.figures.sweep_figure import main, sweep_figure
 from analysis.tables.mean_table import mean_table
 
@@ -128,3 +128,47 @@ def test_no_trial_with_the_score(swept, capsys):
         file.write_text(file.read_text().replace('"brier": 0.01', '"brier": null'))
     assert run(main, arguments) == 2
     assert "no trial has brier" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("values", "by_factors"), [
+    ([5000, 10000, 20000], True), ([1, 2, 4, 8], True), ([0.1, 0.158, 0.251], True),
+    ([5000, 10000, 15000], False), ([0.1, 0.15, 0.2], False), ([1, 1.1, 1.21], False),
+    ([0, 1, 2], False), ([1, 2], False),
+])  # fmt: skip
+def test_values_spaced_by_factors(values, by_factors):
+    assert spaced_by_factors(values) == by_factors
+
+
+@pytest.fixture
+def crossed(tmp_path):
+    """Particles over a logarithmic axis, for two speeds, listed from above."""
+    records = [
+        make_record("ldm", r, study="crossed", id=f"scenario1.ldm.p{k + 1:02d}.s{r:03d}",
+                    point={"particles.count": n, "scenario.speed_mps": speed},
+                    scores={"f1": 0.5 + 0.01 * r})
+        for k, (n, speed) in enumerate((n, s) for n in (20000, 10000, 5000) for s in (10, 2))
+        for r in (1, 2)
+    ]  # fmt: skip
+    return write_records(tmp_path, records)
+
+
+def test_a_logarithmic_axis_is_drawn_as_one(crossed):
+    study = load_study(crossed, "crossed")
+    axes = sweep_figure(study, mean_table(study, F1), F1).axes[0]
+    assert axes.get_xscale() == "log"
+    assert axes.get_xticks().tolist() == [5000, 10000, 20000]
+    assert [label.get_text() for label in axes.get_xticklabels()] == ["5000", "10000", "20000"]
+
+
+def test_the_table_lists_points_by_their_numbers(crossed, capsys):
+    assert run(main, ["--results", str(crossed), "--study", "crossed", "--scores", "f1"]) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if "particles.count=" in line]
+    shown = [(line.split("speed_mps=")[1].split()[0], line.split("count=")[1].split(",")[0]) for line in lines]
+    assert shown == [(s, n) for s in ("2", "10") for n in ("5000", "10000", "20000")]
+
+
+def test_the_hundredth_point_follows_the_ninety_ninth(tmp_path):
+    records = [make_record("ldm", 1, id=f"scenario1.ldm.p{k:02d}.s001", point={"mode": f"m{k}"})
+               for k in range(1, 121)]
+    study = load_study(write_records(tmp_path, records), "table1")
+    assert list(study.points) == [f"mode=m{k}" for k in range(1, 121)]

@@ -9,7 +9,7 @@ from analysis.data.command_line import run
 from analysis.data.errors import InputError
 from analysis.data.records import load_study
 from analysis.data.scores import SCORES
-from analysis.tables.compare import main, verdict
+from analysis.tables.compare import TOO_FEW, answer_text, comparison, main, verdict
 from analysis.tables.paired_table import all_pairs, paired_table
 
 
@@ -72,9 +72,42 @@ def test_the_script_writes_prints_and_warns_of_too_few_seeds(results, capsys):
     assert run(main, ["--results", str(results), "--methods", "ldm mine", "--scores", "f1"]) == 0
     captured = capsys.readouterr()
     assert "missing: scenario1 octomap: replicate 1" in captured.err
-    assert "With 6 seeds and 3 rows" in captured.out and "it takes 7 seeds" in captured.out
-    assert (results / "table1" / "tables" / "compare.txt").read_text() in captured.out
+    file = results / "table1" / "tables" / "compare.txt"
+    assert captured.out.splitlines()[-1] == f"Intervals, tests and seeds needed: {file}"
+    assert "With 6 seeds and 3 rows" in file.read_text() and "it takes 7 seeds" in file.read_text()
     assert (results / "table1" / "tables" / "compare.csv").read_text().count("\n") == 4
+
+
+def test_below_five_seeds_there_are_differences_and_no_verdicts(tmp_path, capsys):
+    records = [make_record(method, seed, scores={"f1": value})
+               for seed in (1, 2, 3, 4) for method, value in (("ldm", 0.7), ("mine", 0.8))]
+    write_records(tmp_path, records)
+    table = comparison(load_study(tmp_path, "table1"), ["mine"], [SCORES["f1"]])
+    assert table["difference"].tolist() == pytest.approx([0.1])
+    assert table["verdict"].tolist() == [TOO_FEW]
+    assert table[["low", "high", "p", "p_holm"]].isna().all(axis=None)
+
+    assert run(main, ["--results", str(tmp_path), "--methods", "mine"]) == 0
+    printed = capsys.readouterr().out
+    assert "+0.1000" in printed and "mine against ldm: no verdict" in printed
+    assert "With fewer than 5 seeds there are differences and no verdicts: SEEDS=5." in printed
+    assert "better" not in printed and "worse" not in printed
+    for name in ("compare.txt", "compare.csv"):
+        rows = (tmp_path / "table1" / "tables" / name).read_text().split("needs")[-1]
+        assert "better" not in rows and "worse" not in rows
+
+
+def test_the_answer_is_one_screen(tmp_path, capsys):
+    methods = ["ldm", "mine", *(f"other{n}" for n in range(10))]
+    records = [make_record(method, seed, scenario=f"scenario{scenario}",
+                           scores={"f1": 0.7 + 0.01 * len(method) + 0.001 * seed * scenario})
+               for method in methods for seed in range(1, 7) for scenario in (1, 2, 3)]
+    write_records(tmp_path, records)
+    assert run(main, ["--results", str(tmp_path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) <= 24 and max(map(len, lines[:-1])) <= 100
+    assert any(line.startswith("F1") and line.count("worse") == 3 for line in lines)
+    assert "... and 58 more pairs" in lines
 
 
 def test_a_method_beside_the_study_has_a_folder_of_its_own(results, capsys):
@@ -87,7 +120,7 @@ def test_a_method_beside_the_study_has_a_folder_of_its_own(results, capsys):
     assert [row.split(",")[3:5] for row in rows] == [
         ["new", "ldm"], ["new", "mine"], ["new", "octomap"]
     ]  # fmt: skip
-    assert "better" in capsys.readouterr().out
+    assert "new against ldm: better in 1, worse in 0 of 1" in capsys.readouterr().out
     assert "new" not in load_study(results, "table1").methods
 
 
