@@ -10,19 +10,18 @@
 
 namespace ldm {
 
-std::string text_of(double value);  ///< the shortest form that reads back to the same bits
-std::string text_of(std::int64_t value);
-std::string text_of(std::uint64_t value);
-std::string text_of(bool value);
-std::string text_of(const Eigen::Vector3i& value);
-
-/// Each sets `value` from all of `text`.
-/// @throws InvalidInput naming the parameter, the text and the allowed range; nothing is changed.
-void set_from_text(const ParameterInfo& info, std::string_view text, double& value);
-void set_from_text(const ParameterInfo& info, std::string_view text, std::int64_t& value);
-void set_from_text(const ParameterInfo& info, std::string_view text, std::uint64_t& value);
-void set_from_text(const ParameterInfo& info, std::string_view text, bool& value);
-void set_from_text(const ParameterInfo& info, std::string_view text, Eigen::Vector3i& value);
+/// A parameter's value and its text. T is double, std::int64_t, std::uint64_t, bool or
+/// Eigen::Vector3i.
+template <class T>
+struct ParameterValue {
+  /// The shortest text that reads back to the same bits.
+  static std::string text(const T& value);
+  /// Sets `value` from all of `text`.
+  /// @throws InvalidInput naming the parameter, the text and the allowed range; nothing is changed.
+  static void set(const ParameterInfo& info, std::string_view text, T& value);
+  /// @throws InvalidInput as above, unless `value` is in its range.
+  static void check(const ParameterInfo& info, const T& value);
+};
 
 /// Position of `text` among the words of an enumeration.
 /// @throws InvalidInput as above.
@@ -49,10 +48,11 @@ template <class P>
 std::string parameter_text(const P& p, std::string_view name) {
   std::string text;
   with_parameter(p, name, [&](const ParameterInfo&, const auto& value, const auto&... words) {
+    using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (sizeof...(words) > 0) {
       text = std::string((words[static_cast<std::size_t>(value)], ...));
     } else {
-      text = text_of(value);
+      text = ParameterValue<Value>::text(value);
     }
   });
   return text;
@@ -62,11 +62,11 @@ std::string parameter_text(const P& p, std::string_view name) {
 template <class P>
 void set_parameter_text(P& p, std::string_view name, std::string_view text) {
   with_parameter(p, name, [&](const ParameterInfo& info, auto& value, const auto&... words) {
+    using Value = std::remove_reference_t<decltype(value)>;
     if constexpr (sizeof...(words) > 0) {
-      using Value = std::remove_reference_t<decltype(value)>;
       value = static_cast<Value>((choice_from_text(info, text, words), ...));
     } else {
-      set_from_text(info, text, value);
+      ParameterValue<Value>::set(info, text, value);
     }
   });
 }

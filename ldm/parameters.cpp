@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <type_traits>
 
 #include "ldm/parameter_text.h"
 
@@ -15,85 +16,90 @@ std::string joined(const Names& names) {
   return all;
 }
 
-std::string range(const ParameterInfo& info) {
-  return text_of(info.min) + " to " + text_of(info.max) +
-         (info.unit.empty() ? "" : " " + std::string(info.unit));
-}
-
 [[noreturn]] void refuse(const ParameterInfo& info, std::string_view text,
                          const std::string& allowed) {
   throw InvalidInput(std::string(info.name) + " = " + std::string(text) + ": allowed: " + allowed);
 }
 
-/// The whole of `text` as a number of type T.
+template <class T>
+std::string number_text(T value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+/// What a value of type T may be, in words.
+template <class T>
+std::string allowed(const ParameterInfo& info) {
+  const std::string range = number_text(info.min) + " to " + number_text(info.max) +
+                            (info.unit.empty() ? "" : " " + std::string(info.unit));
+  if constexpr (std::is_same_v<T, bool>) return "true, false";
+  if constexpr (std::is_same_v<T, double>) return "a number from " + range;
+  if constexpr (std::is_integral_v<T>) return "a whole number from " + range;
+  return "one or three whole numbers from " + range + ", separated by commas";
+}
+
+template <class T>
+bool in_range(const ParameterInfo& info, const T& value) {
+  if constexpr (std::is_same_v<T, Eigen::Vector3i>) {
+    return in_range(info, value.minCoeff()) && in_range(info, value.maxCoeff());
+  } else {  // nothing that is not a number is within a bound
+    return static_cast<double>(value) >= info.min && static_cast<double>(value) <= info.max;
+  }
+}
+
+/// The whole of `text` as a number.
 template <class T>
 bool parse(std::string_view text, T& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size();
 }
-
-template <class T>
-void set_number(const ParameterInfo& info, std::string_view text, const char* kind, T& value) {
-  T parsed{};
-  if (!parse(text, parsed) || !(static_cast<double>(parsed) >= info.min) ||
-      !(static_cast<double>(parsed) <= info.max)) {
-    refuse(info, text, std::string(kind) + " from " + range(info));
+bool parse(std::string_view text, bool& value) {
+  value = text == "true";
+  return value || text == "false";
+}
+/// One number for all axes, or three.
+bool parse(std::string_view text, Eigen::Vector3i& value) {
+  int count = 0;
+  for (bool more = true; more; ++count) {
+    const std::size_t comma = text.find(',');
+    more = comma != std::string_view::npos;
+    if (count == 3 || !parse(text.substr(0, comma), value[count])) return false;
+    if (more) text.remove_prefix(comma + 1);
   }
-  value = parsed;
+  if (count == 1) value.setConstant(value[0]);
+  return count != 2;
 }
 
 }  // namespace
 
-std::string text_of(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-std::string text_of(std::int64_t value) {
-  return std::to_string(value);
-}
-std::string text_of(std::uint64_t value) {
-  return std::to_string(value);
-}
-std::string text_of(bool value) {
-  return value ? "true" : "false";
-}
-std::string text_of(const Eigen::Vector3i& v) {
-  return std::to_string(v.x()) + "," + std::to_string(v.y()) + "," + std::to_string(v.z());
+template <class T>
+std::string ParameterValue<T>::text(const T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return value ? "true" : "false";
+  } else if constexpr (std::is_same_v<T, Eigen::Vector3i>) {
+    return number_text(value.x()) + "," + number_text(value.y()) + "," + number_text(value.z());
+  } else {
+    return number_text(value);
+  }
 }
 
-void set_from_text(const ParameterInfo& info, std::string_view text, double& value) {
-  set_number(info, text, "a number", value);
+template <class T>
+void ParameterValue<T>::set(const ParameterInfo& info, std::string_view text, T& value) {
+  T parsed{};
+  if (!parse(text, parsed) || !in_range(info, parsed)) refuse(info, text, allowed<T>(info));
+  value = parsed;
 }
-void set_from_text(const ParameterInfo& info, std::string_view text, std::int64_t& value) {
-  set_number(info, text, "a whole number", value);
+
+template <class T>
+void ParameterValue<T>::check(const ParameterInfo& info, const T& value) {
+  if (!in_range(info, value)) refuse(info, text(value), allowed<T>(info));
 }
-void set_from_text(const ParameterInfo& info, std::string_view text, std::uint64_t& value) {
-  set_number(info, text, "a whole number", value);
-}
-void set_from_text(const ParameterInfo& info, std::string_view text, bool& value) {
-  if (text != "true" && text != "false") refuse(info, text, "true, false");
-  value = text == "true";
-}
-void set_from_text(const ParameterInfo& info, std::string_view text, Eigen::Vector3i& value) {
-  const std::string allowed =
-      "one or three whole numbers from " + range(info) + ", separated by commas";
-  Eigen::Vector3i parsed;
-  int count = 0;
-  std::string_view rest = text;
-  bool more = true;
-  while (more && count < 3) {
-    const std::size_t comma = rest.find(',');
-    more = comma != std::string_view::npos;
-    std::int32_t number = 0;
-    if (!parse(rest.substr(0, comma), number) || number < info.min || number > info.max) {
-      refuse(info, text, allowed);
-    }
-    parsed[count++] = number;
-    rest = more ? rest.substr(comma + 1) : std::string_view();
-  }
-  if (count == 2 || more) refuse(info, text, allowed);
-  value = count == 1 ? Eigen::Vector3i::Constant(parsed[0]) : parsed;
-}
+
+template struct ParameterValue<double>;
+template struct ParameterValue<std::int64_t>;
+template struct ParameterValue<std::uint64_t>;
+template struct ParameterValue<bool>;
+template struct ParameterValue<Eigen::Vector3i>;
 
 std::size_t choice_from_text(const ParameterInfo& info, std::string_view text,
                              std::span<const std::string_view> words) {
@@ -116,10 +122,17 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
 }
 
 const Parameters& checked(const Parameters& parameters) {
-  Parameters scratch;
-  visit_parameters(parameters, [&](const ParameterInfo& info, const auto&, const auto&...) {
-    set_parameter(scratch, info.name, get_parameter(parameters, info.name));
-  });
+  visit_parameters(parameters,
+                   [](const ParameterInfo& info, const auto& value, const auto&... words) {
+                     using Value = std::remove_cvref_t<decltype(value)>;
+                     if constexpr (sizeof...(words) > 0) {
+                       const auto number = static_cast<std::int64_t>(value);
+                       if (!in_range(info, number))
+                         refuse(info, number_text(number), (joined(words), ...));
+                     } else {
+                       ParameterValue<Value>::check(info, value);
+                     }
+                   });
   return parameters;
 }
 

@@ -209,6 +209,18 @@ TEST(ParametersTest, NamesTheFirstBadParameter) {
   EXPECT_THROW(checked(p), InvalidInput);
 }
 
+TEST(ParametersTest, NamesAValueThatIsNoWord) {
+  Parameters p;
+  p.prediction.sub_voxel = static_cast<SubVoxelMotion>(4);
+  try {
+    checked(p);
+    FAIL() << "a bad parameter was accepted";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(),
+                 "prediction.sub_voxel = 4: allowed: none, round, residual, trilinear");
+  }
+}
+
 TEST(ParametersTest, NamesAreUniqueAndSourcesAreGiven) {
   std::set<std::string> names;
   const Parameters parameters;
