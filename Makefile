@@ -180,7 +180,7 @@ fuzz: setup ## fuzz the readers of recordings, each for FUZZ_SECONDS (600): docs
 	done
 
 .PHONY: equations
-equations: ## print the index of the paper's equations: symbol, file, test
+equations: ## print where each equation of the paper is in plain words, in the fast code, and in a test
 	@$(PYTHON) tests/equations.py
 
 .PHONY: style

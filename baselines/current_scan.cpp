@@ -33,7 +33,7 @@ void CurrentScan::read(ldm::LocalMap& map) const {
   for (const std::uint8_t f : flags_.flags()) {
     map.occupancy.push_back(f == ldm::flag::kOccupied ? p_occ_
                             : f == ldm::flag::kFree   ? p_free_
-                                                      : 0.5F);
+                                                      : ldm::kUnknown);
   }
   read_no_clusters(map);
 }

@@ -20,7 +20,7 @@ void EmptyMap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
 void EmptyMap::read(ldm::LocalMap& map) const {
   map.window = window_;
   map.resolution = resolution_;
-  map.occupancy.assign(window_.count(), 0.5F);
+  map.occupancy.assign(window_.count(), ldm::kUnknown);
   read_no_clusters(map);
 }
 

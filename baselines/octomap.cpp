@@ -103,7 +103,7 @@ void Octomap::update(const ldm::Scan& scan, ldm::StageListener* listener) {
 void Octomap::read(ldm::LocalMap& map) const {
   map.window = window_;
   map.resolution = resolution_;
-  map.occupancy.assign(window_.count(), 0.5F);
+  map.occupancy.assign(window_.count(), ldm::kUnknown);
   const ldm::VoxelIndex last = window_.origin + window_.size - ldm::VoxelIndex::Ones();
   const auto end = tree_->octree.end_leafs_bbx();
   for (auto leaf = tree_->octree.begin_leafs_bbx(key_of(window_.origin), key_of(last)); leaf != end;

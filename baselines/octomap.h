@@ -10,8 +10,8 @@ namespace baselines {
 
 /// Inserts each scan as OctoMap does by default, and reads the window around the UAV.
 ///
-/// The leaves are those that octomap::OcTree::insertPointCloud leaves behind (a test), in a fifth
-/// of its time: OctoMap's own steps, with the cells of a scan in a grid instead of two hash sets
+/// The leaves are those that octomap::OcTree::insertPointCloud leaves behind (a test), sooner:
+/// OctoMap's own steps, with the cells of a scan in a grid instead of two hash sets
 /// (ScanCells), and from leaf to leaf instead of from the root (OctreeCursor). Inner nodes get no
 /// occupancy, which nothing here reads.
 ///

@@ -36,20 +36,14 @@ void write(const octomap::OcTree& tree, const std::filesystem::path& file) {
 void write_bt(const ldm::LocalMap& map, const std::filesystem::path& file) {
   check_reach(map);
   octomap::OcTree tree(map.resolution);
-  const ldm::VoxelBox& window = map.window;
   constexpr bool kLazy = true;  // inner nodes follow once, below
-  for (int z = 0; z < window.size.z(); ++z) {
-    for (int y = 0; y < window.size.y(); ++y) {
-      for (int x = 0; x < window.size.x(); ++x) {
-        const ldm::VoxelIndex v = window.origin + ldm::VoxelIndex(x, y, z);
-        const float p = map.occupancy[window.index(v)];
-        if (p == 0.5F) continue;
-        tree.setNodeValue(key_of(v),
-                          p > 0.5F ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog(),
-                          kLazy);
-      }
-    }
-  }
+  for_each_voxel(map.window, [&](const ldm::VoxelIndex& v, std::size_t i) {
+    const float p = map.occupancy[i];
+    if (p == ldm::kUnknown) return;
+    tree.setNodeValue(
+        key_of(v),
+        ldm::is_occupied(p) ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog(), kLazy);
+  });
   tree.updateInnerOccupancy();
   tree.toMaxLikelihood();
   tree.prune();

@@ -6,7 +6,7 @@
 
 namespace baselines {
 
-/// Write the occupied (P > 0.5) and the free (P < 0.5) voxels; unknown ones are in no leaf. The
+/// Write the occupied and the free voxels; unknown ones are in no leaf. The
 /// format (`.bt`) has one bit of occupancy a leaf, no probability.
 /// @throws ldm::InvalidInput on a map beyond OctoMap's 32,768 voxels from the origin,
 /// std::runtime_error if the file cannot be written.

@@ -12,7 +12,7 @@ namespace baselines {
 
 /// Each cell that a ray of the scan crosses or ends in, once; a cell with an end is a hit whatever
 /// crosses it. The same cells as octomap::OccupancyOcTreeBase::computeUpdate collects in two hash
-/// sets: a flat grid around the sensor takes a fifth of their time.
+/// sets, in a flat grid around the sensor.
 ///
 /// Cost: memory and time for a cube of cells as wide as the reach, which is little beside the rays
 /// and the tree.

@@ -88,20 +88,20 @@ std::int32_t Clustering::root(std::int32_t run) {
 }
 
 /// Joins the runs of two neighbouring rows that touch, corners included.
-void Clustering::connect(std::size_t row, std::size_t other_row) {
+void Clustering::connect(std::size_t row, std::size_t row_before) {
   std::int32_t a = first_run_of_row_[row];
-  std::int32_t b = first_run_of_row_[other_row];
+  std::int32_t b = first_run_of_row_[row_before];
   const std::int32_t a_end = first_run_of_row_[row + 1];
-  const std::int32_t b_end = first_run_of_row_[other_row + 1];
+  const std::int32_t b_end = first_run_of_row_[row_before + 1];
   while (a < a_end && b < b_end) {
     const Run& run = runs_[static_cast<std::size_t>(a)];
-    const Run& other = runs_[static_cast<std::size_t>(b)];
-    if (run.x_begin <= other.x_end && other.x_begin <= run.x_end) {
+    const Run& before = runs_[static_cast<std::size_t>(b)];
+    if (run.x_begin <= before.x_end && before.x_begin <= run.x_end) {
       const std::int32_t i = root(a);
       const std::int32_t j = root(b);
       parent_[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
     }
-    (run.x_end < other.x_end ? a : b)++;
+    (run.x_end < before.x_end ? a : b)++;
   }
 }
 

@@ -48,7 +48,7 @@ class Clustering {
   void find_runs(const RingBuffer<float>& log_odds);
   void add_run(int x_begin, int x_end, int y, int z);
   void connect_rows();
-  void connect(std::size_t row, std::size_t other_row);
+  void connect(std::size_t row, std::size_t row_before);
   std::int32_t root(std::int32_t run);
   void measure(const VoxelBox& window);
   void group_runs();

@@ -5,10 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "ldm/ray_ends.h"
-#include "ldm/voxel_walk.h"
-#include "ldm/voxel_walks.h"
-
 namespace ldm {
 namespace {
 
@@ -70,8 +66,8 @@ void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
       (scan.T_world_sensor.translation / resolution_ - window_.origin.cast<double>()).cast<float>();
   sensor_inside_ =
       (sensor_.array() > 0).all() && (sensor_.array() < window_.size.cast<float>().array()).all();
-  turn_ = (scan.T_world_sensor.rotation / resolution_).cast<float>();
-  parallel_.run([&](int number) {
+  R_window_sensor_ = (scan.T_world_sensor.rotation / resolution_).cast<float>();
+  parallel_.for_each_part([&](int number) {
     Part& part = parts_[static_cast<std::size_t>(number)];
     std::fill(part.flags.begin(), part.flags.end(), flag::kNone);
     mark_ends(scan, number, part);
@@ -86,12 +82,12 @@ void MeasurementFlags::mark(const Scan& scan, const VoxelBox& window) {
 
 /// Into the flags of the first part, the larger of all.
 void MeasurementFlags::combine() {
-  parallel_.run([&](int number) {
+  parallel_.for_each_part([&](int number) {
     const auto [begin, end] = parallel_.share(number, window_.count());
     std::uint8_t* const all = parts_[0].flags.data();
     for (std::size_t p = 1; p < parts_.size(); ++p) {
-      const std::uint8_t* const some = parts_[p].flags.data();
-      for (std::size_t i = begin; i < end; ++i) all[i] = std::max(all[i], some[i]);
+      const std::uint8_t* const flags = parts_[p].flags.data();
+      for (std::size_t i = begin; i < end; ++i) all[i] = std::max(all[i], flags[i]);
     }
   });
 }
@@ -107,15 +103,15 @@ void MeasurementFlags::mark_ends(const Scan& scan, int number, Part& part) const
 void MeasurementFlags::mark_ends(std::span<const Point> rays, bool for_ever, int number,
                                  Part& part) const {
   const auto [begin, end] = parallel_.share(number, rays.size());
-  RayEnds ends(sensor_, turn_, window_.size);
+  RayEnds ends(sensor_, R_window_sensor_, window_.size);
   for (std::size_t first = begin; first < end; first += RayEnds::kMost) {
-    const auto some = rays.subspan(first, std::min(RayEnds::kMost, end - first));
+    const auto block = rays.subspan(first, std::min(RayEnds::kMost, end - first));
     if (!sensor_inside_) {
-      for (const Point& ray : some) mark_end_from_outside(turn_ * ray, for_ever, part);
+      for (const Point& ray : block) mark_end_from_outside(R_window_sensor_ * ray, for_ever, part);
       continue;
     }
-    ends.find(some, for_ever);
-    for (std::size_t i = 0; i < some.size(); ++i) {
+    ends.find(block, for_ever);
+    for (std::size_t i = 0; i < block.size(); ++i) {
       end_in(ends.index(i), ends.flag(i), part);
     }
   }

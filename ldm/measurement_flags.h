@@ -5,13 +5,27 @@
 #include <span>
 #include <vector>
 
-#include "ldm/flag.h"
 #include "ldm/machine/parallel.h"
 #include "ldm/parameters.h"
+#include "ldm/rays.h"
 #include "ldm/types.h"
-#include "ldm/voxel_walk.h"
 
 namespace ldm {
+
+/// What one scan says of a voxel, in a byte; where two rays disagree, the larger flag wins: a hit
+/// beats a crossing, a crossing beats a shadow, and of two shadows the one nearer to its obstacle.
+namespace flag {
+inline constexpr std::uint8_t kNone = 0;      ///< no ray came here: out of the sensor's view
+inline constexpr std::uint8_t kShadow = 253;  ///< 1..253: behind an obstacle, 253 just behind it
+inline constexpr std::uint8_t kFree = 254;
+inline constexpr std::uint8_t kOccupied = 255;
+/// A shadow flag falls by one each half voxel behind the obstacle; 1 means 126 voxels or more.
+inline constexpr float kStepsPerVoxel = 2;
+/// Distance behind the obstacle that a shadow flag stands for [voxels].
+inline float shadow_distance(std::uint8_t f) {
+  return static_cast<float>(kShadow - f) / kStepsPerVoxel;
+}
+}  // namespace flag
 
 /// The flags of one scan. As in Usenko et al., one ray is cast for each voxel with a return, from
 /// the sensor to the voxel's centre; a return beyond the map, or none, gives a ray to the border.
@@ -60,9 +74,9 @@ class MeasurementFlags {
   bool use_no_returns_;
   bool shadows_;
   VoxelBox window_;
-  Eigen::Matrix3f turn_;       // from the sensor's axes to the window's, times voxels per metre
-  Eigen::Vector3f sensor_;     // in voxels from the window's lowest corner
-  bool sensor_inside_ = true;  // the window
+  Eigen::Matrix3f R_window_sensor_;  // times voxels per metre
+  Eigen::Vector3f sensor_;           // in voxels from the window's lowest corner
+  bool sensor_inside_ = true;        // the window
   Parallel parallel_;
   std::vector<Part> parts_;
 };

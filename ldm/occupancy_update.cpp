@@ -12,9 +12,9 @@ namespace {
 constexpr int kStretch = 16;  // voxels looked at as one
 
 UInt8x16 bytes_at(const std::uint8_t* bytes) {
-  UInt8x16 some;
-  std::memcpy(&some, bytes, kStretch);
-  return some;
+  UInt8x16 lanes;
+  std::memcpy(&lanes, bytes, kStretch);
+  return lanes;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ OccupancyUpdate::OccupancyUpdate(const MapParameters& map, const SensorModelPara
 void OccupancyUpdate::apply(std::span<const std::uint8_t> flags, std::span<const std::uint8_t> kept,
                             RingBuffer<float>& log_odds) const {
   const auto layers = static_cast<std::size_t>(log_odds.index().window().size.z());
-  parallel_.run([&](int part) {
+  parallel_.for_each_part([&](int part) {
     const auto [begin, end] = parallel_.share(part, layers);
     apply_to_layers(static_cast<int>(begin), static_cast<int>(end), flags, kept, log_odds);
   });
@@ -70,21 +70,20 @@ void OccupancyUpdate::apply_to_layers(int begin, int end, std::span<const std::u
 }
 
 /// All of it in slots: a row wraps, and would leave more than one rest that no stretch fills. A
-/// look at all flags of a stretch, then vectors of log-odds: 0.35 of the time at 128^3 of a look at
-/// one flag after the other.
+/// look at all flags of a stretch, then vectors of log-odds.
 void OccupancyUpdate::apply_to_row(int n, const std::uint8_t* flags, const std::uint8_t* kept,
                                    float* l) const {
   int x = 0;
   for (; x + kStretch <= n; x += kStretch) {
-    const UInt8x16 some = bytes_at(flags + x);
-    const bool one_flag = is_zero(some ^ some[0]);
-    if (one_flag && change_[some[0]].is_none()) continue;
+    const UInt8x16 stretch = bytes_at(flags + x);
+    const bool one_flag = is_zero(stretch ^ stretch[0]);
+    if (one_flag && change_[stretch[0]].is_none()) continue;
     if (kept != nullptr && !is_zero(bytes_at(kept + x))) {
       apply_to_each(x, x + kStretch, flags, kept, l);
     } else if (one_flag) {
-      change_stretch(change_[some[0]], l + x);
+      change_stretch(change_[stretch[0]], l + x);
     } else {
-      change_stretch(some, l + x);
+      change_stretch(stretch, l + x);
     }
   }
   apply_to_each(x, n, flags, kept, l);

@@ -1,5 +1,5 @@
 #pragma once
-/// A particle and the sum of some: paper Eq. (2), (3), (12).
+/// A particle, and sums of velocities: paper Eq. (2), (3), (12).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -37,50 +37,49 @@ static_assert(sizeof(Particle) == 16 && kVelocityOffset + kThreeAxes <= sizeof(P
 /// Two neighbouring particles: x, y, z of the first in lanes 0 to 2, of the second in 4 to 6; what
 /// is in lanes 3 and 7 means nothing.
 ///
-/// Eight bytes from x or from vx on are one load, and the same bytes one store. Arithmetic on six
-/// numbers at once, none wider than it must be, makes `Particles::predict` twice as fast as
-/// arithmetic on three of 32 bits.
+/// Eight bytes from x or from vx on are one load, and the same bytes one store; arithmetic is on
+/// six numbers at once, none wider than it must be.
 struct ParticlePair {
   UInt16x8 position;  ///< as Particle::x
   Int16x8 velocity;   ///< as Particle::vx
 
-  explicit ParticlePair(const Particle* two)
-      : position(reinterpret_cast<UInt16x8>(load(two, offsetof(Particle, x)))),
-        velocity(velocity_of(two)) {}
+  explicit ParticlePair(const Particle* pair)
+      : position(reinterpret_cast<UInt16x8>(load(pair, offsetof(Particle, x)))),
+        velocity(velocity_of(pair)) {}
 
-  /// Into two[0] and two[1], which are in `slots[0]` and `slots[2]` from now on.
-  void store(const Int32x4& slots, Particle* two) const {
+  /// Into pair[0] and pair[1], which are in `slots[0]` and `slots[2]` from now on.
+  void store(const Int32x4& slots, Particle* pair) const {
     // Each also writes two bytes of what comes next, which is therefore written next.
-    store(reinterpret_cast<Int64x2>(position), offsetof(Particle, x), two);
-    store(reinterpret_cast<Int64x2>(velocity), kVelocityOffset, two);
-    two[0].slot = static_cast<std::uint32_t>(slots[0]);
-    two[1].slot = static_cast<std::uint32_t>(slots[2]);
+    store(reinterpret_cast<Int64x2>(position), offsetof(Particle, x), pair);
+    store(reinterpret_cast<Int64x2>(velocity), kVelocityOffset, pair);
+    pair[0].slot = static_cast<std::uint32_t>(slots[0]);
+    pair[1].slot = static_cast<std::uint32_t>(slots[2]);
   }
 
   /// vx, vy, vz of the sum of both velocities [Particle::kVelocityQuantum].
-  static Int32x4 velocity_sum(const Particle* two) {
-    const Int16x8 v = velocity_of(two);
+  static Int32x4 velocity_sum(const Particle* pair) {
+    const Int16x8 v = velocity_of(pair);
     constexpr Int16x8 kOnes{1, 1, 1, 1, 1, 1, 1, 1};
     return sum_of_products(__builtin_shufflevector(v, v, 0, 4, 1, 5, 2, 6, 3, 7), kOnes);
   }
 
  private:
-  static Int16x8 velocity_of(const Particle* two) {
-    return reinterpret_cast<Int16x8>(load(two, kVelocityOffset));
+  static Int16x8 velocity_of(const Particle* pair) {
+    return reinterpret_cast<Int16x8>(load(pair, kVelocityOffset));
   }
-  static Int64x2 load(const Particle* two, std::size_t offset) {
+  static Int64x2 load(const Particle* pair, std::size_t offset) {
     Int64x2 words{};
     for (int i = 0; i < 2; ++i) {
       std::int64_t bytes = 0;
-      std::memcpy(&bytes, reinterpret_cast<const std::byte*>(two + i) + offset, kThreeAxes);
+      std::memcpy(&bytes, reinterpret_cast<const std::byte*>(pair + i) + offset, kThreeAxes);
       words[i] = bytes;
     }
     return words;
   }
-  static void store(const Int64x2& words, std::size_t offset, Particle* two) {
+  static void store(const Int64x2& words, std::size_t offset, Particle* pair) {
     for (int i = 0; i < 2; ++i) {
       const std::int64_t bytes = words[i];
-      std::memcpy(reinterpret_cast<std::byte*>(two + i) + offset, &bytes, kThreeAxes);
+      std::memcpy(reinterpret_cast<std::byte*>(pair + i) + offset, &bytes, kThreeAxes);
     }
   }
 };
@@ -105,8 +104,8 @@ class CommonVelocity {
         rest_(~bytes_of({0, 0, 0, -1, -1, -1, 0})) {}
 
   /// Positions and slots stay.
-  void give(std::span<Particle> some) const {
-    for (Particle& p : some) {
+  void give(std::span<Particle> particles) const {
+    for (Particle& p : particles) {
       const std::int64_t bytes = (bytes_of(p) & rest_) | velocity_;
       std::memcpy(reinterpret_cast<std::byte*>(&p) + kVelocityOffset, &bytes, kThreeAxes);
     }
@@ -121,7 +120,7 @@ class CommonVelocity {
   std::int64_t velocity_, rest_;
 };
 
-/// Sum of the velocities of some particles, in Particle::kVelocityQuantum: exact in any order.
+/// Sum of the velocities of particles, in Particle::kVelocityQuantum: exact in any order.
 struct VelocitySum {
   std::int64_t x = 0, y = 0, z = 0;
   std::int64_t particles = 0;
@@ -132,26 +131,26 @@ struct VelocitySum {
     z += p.vz;
     ++particles;
   }
-  /// Two by two, all axes at once. A lane holds the sum of 2^16 velocities.
-  void add(std::span<const Particle> some) {
+  /// In pairs, all axes at once. A lane holds the sum of 2^16 velocities.
+  void add(std::span<const Particle> left) {
     constexpr std::size_t kMost = 1 << 16;
-    while (some.size() > 1) {
-      const std::size_t two_by_two = std::min(kMost, some.size()) / 2 * 2;
+    while (left.size() > 1) {
+      const std::size_t in_pairs = std::min(kMost, left.size()) / 2 * 2;
       Int32x4 sum{};
-      for (std::size_t i = 0; i < two_by_two; i += 2) sum += ParticlePair::velocity_sum(&some[i]);
+      for (std::size_t i = 0; i < in_pairs; i += 2) sum += ParticlePair::velocity_sum(&left[i]);
       x += sum[0];
       y += sum[1];
       z += sum[2];
-      particles += static_cast<std::int64_t>(two_by_two);
-      some = some.subspan(two_by_two);
+      particles += static_cast<std::int64_t>(in_pairs);
+      left = left.subspan(in_pairs);
     }
-    if (!some.empty()) add(some[0]);
+    if (!left.empty()) add(left[0]);
   }
-  void add(const VelocitySum& other) {
-    x += other.x;
-    y += other.y;
-    z += other.z;
-    particles += other.particles;
+  void add(const VelocitySum& sum) {
+    x += sum.x;
+    y += sum.y;
+    z += sum.z;
+    particles += sum.particles;
   }
   /// The mean [m/s]; zero if there are no particles. All weights are equal: eq. 12 and 16.
   Velocity mean() const {

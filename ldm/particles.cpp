@@ -1,9 +1,9 @@
 #include "ldm/particles.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "ldm/log_odds.h"
-#include "ldm/prediction_pass.h"
 
 namespace ldm {
 namespace {
@@ -29,11 +29,13 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       resampled_(particles_.size()) {
   const std::size_t most_voxels = std::min(index.count(), n_init_) + 1;
   for (Part& part : parts_) {
-    part.found.reserve(most_voxels, kUsualBirths);
-    part.count.resize(index.count() + 1);
+    part.counted.in_slot.resize(index.count() + 1);
+    part.weighed.reserve(most_voxels, kUsualBirths);
     part.next.reserve(most_voxels);
     part.before.reserve(kUsualBirths);
   }
+  claimed_.each.reserve(most_voxels);
+  claimed_.births.reserve(kUsualBirths);
   scatter_uniformly(index);
 }
 
@@ -65,39 +67,39 @@ Parallel::Share Particles::stretch(int part) const {
 void Particles::predict(double dt, const RingIndex& index) {
   ++frame_;
   const ParticleMotion motion(index, fraction_bits_, dt / resolution_);
-  parallel_.run([&](int part) { predict_part(part, motion); });
+  // Placed particles move on: the memory goes back to the counts.
+  if (!placed_.in_slot.empty()) parts_[0].counted.in_slot.swap(placed_.in_slot);
+  parallel_.for_each_part([&](int part) { predict_part(part, motion); });
 }
 
 void Particles::predict_part(int part, const ParticleMotion& motion) {
-  std::vector<std::uint32_t>& counts = parts_[static_cast<std::size_t>(part)].count;
+  std::vector<std::uint32_t>& counts = parts_[static_cast<std::size_t>(part)].counted.in_slot;
   std::fill(counts.begin(), counts.end(), 0U);
   const auto [begin, end] = stretch(part);
   const RandomStream stream(seed_, Purpose::kPrediction, frame_);
-  PredictionPass{particles_.data(), counts.data(), noise_, stream, motion}.run(begin, end);
+  PredictionPass{particles_.data(), counts.data(), noise_, stream, motion}.move(begin, end);
   if (end % 2 == 1) --counts[particles_[end].slot];  // a spare place made up the last pair
   counts.back() = 0;  // those that left the map, and what the pass adds to them
 }
 
 void Particles::forget(std::size_t first, std::size_t n) {
   for (Part& part : parts_) {
-    std::fill_n(part.count.begin() + static_cast<std::ptrdiff_t>(first), n, 0U);
+    std::fill_n(part.counted.in_slot.begin() + static_cast<std::ptrdiff_t>(first), n, 0U);
   }
 }
 
-std::span<Particle> Particles::slot_range(std::size_t first, std::size_t n) {
+Parallel::Share Particles::range_of(std::size_t first, std::size_t n) const {
+  assert(!placed_.in_slot.empty());
+  const std::vector<std::uint32_t>& voxel = placed_.in_slot;
   std::size_t last = first + n;
-  while (first < last && places()[first] == 0) ++first;
-  while (first < last && places()[last - 1] == 0) --last;
-  if (first == last) return {};
-  const std::vector<Voxel>& voxels = found().voxels;
-  const std::size_t behind = places()[last - 1] + std::size_t{1};
-  const std::size_t begin = voxels[places()[first]].first;
-  const std::size_t end = behind < voxels.size() ? voxels[behind].first : n_init_;
-  return {particles_.data() + begin, end - begin};
-}
-
-std::span<const Particle> Particles::in_slots(std::size_t first, std::size_t n) const {
-  return const_cast<Particles*>(this)->slot_range(first, n);
+  while (first < last && voxel[first] == 0) ++first;
+  while (first < last && voxel[last - 1] == 0) --last;
+  if (first == last) return {0, 0};
+  // What is claimed beyond N_init, a trace of rounding, is lost.
+  const auto end_of = [this](std::uint32_t number) {
+    return std::min<std::size_t>(parts_.back().next[number] >> claimed_.bits, n_init_);
+  };
+  return {end_of(voxel[first] - 1), end_of(voxel[last - 1])};
 }
 
 Velocity Particles::voxel_velocity(std::size_t slot) const {
@@ -107,7 +109,8 @@ Velocity Particles::voxel_velocity(std::size_t slot) const {
 }
 
 void Particles::set_velocity(std::size_t first, std::size_t n, const CommonVelocity& v) {
-  v.give(slot_range(first, n));
+  const auto [begin, end] = range_of(first, n);
+  v.give({particles_.data() + begin, end - begin});
 }
 
 Eigen::Vector3d Particles::position(const Particle& p, const RingIndex& index) const {

@@ -6,7 +6,7 @@
 /// between, `weigh` walks the voxels: after resampling all weights are equal, so the weight of
 /// eq. 11 is a number of the voxel, and no particle has to store one.
 ///
-/// The loop of `predict` is in prediction_pass.cpp, what comes of the particles' weights in
+/// The loop of `predict` is in particle_motion.cpp, what comes of the particles' weights in
 /// resampling.cpp, all else in particles.cpp.
 ///
 /// Threads share the particles out in stretches. Each counts its own, and finds its place in the
@@ -20,8 +20,8 @@
 #include "ldm/particle.h"
 #include "ldm/particle_motion.h"
 #include "ldm/random.h"
+#include "ldm/resampling.h"
 #include "ldm/ring_buffer.h"
-#include "ldm/velocity_noise.h"
 
 namespace ldm {
 
@@ -50,13 +50,16 @@ class Particles {
   /// rounded up: the claims reach N_init.  Eq. (14)
   static std::uint32_t normalised(std::uint32_t weight, double claim_per_weight);
   /// mu_k: the sum of all weights after `weigh`, in units of 2^-24.  Eq. (15)
-  std::uint64_t total_weight() const { return found().total_weight; }
+  std::uint64_t total_weight() const { return weighed().total_weight; }
 
   /// All particles; sorted by slot after `resample`.
   std::span<const Particle> all() const { return {particles_.data(), n_init_}; }
   /// The particles in slots [first, first + n), after `resample`. Cost: a look at the empty slots
   /// at both ends.
-  std::span<const Particle> in_slots(std::size_t first, std::size_t n) const;
+  std::span<const Particle> in_slots(std::size_t first, std::size_t n) const {
+    const auto [begin, end] = range_of(first, n);
+    return all().subspan(begin, end - begin);
+  }
   std::span<const Particle> in_slot(std::size_t slot) const { return in_slots(slot, 1); }
   /// V_k^j: mean velocity [m/s] of the particles in a slot after `resample`, or zero.  Eq. (12)
   Velocity voxel_velocity(std::size_t slot) const;
@@ -66,41 +69,16 @@ class Particles {
   Eigen::Vector3d position(const Particle& p, const RingIndex& index) const;
 
  private:
-  /// A voxel that holds particles, or in which some are to be born. The comb of systematic
-  /// resampling runs through the claims of all particles, voxel by voxel.
-  struct Voxel {
-    std::uint32_t slot;
-    std::uint32_t first;  // its first particle after resampling
-  };
-  /// Particles to be born in a voxel.
-  struct Births {
-    std::uint32_t place;  // in voxels
-    std::uint32_t count;
-    std::uint32_t claim;  // of each, as in claims
-  };
-  /// What a stretch of slots holds.
-  struct Claimants {
-    std::vector<Voxel> voxels;  // in slot order; the first of all is nobody's
-    // Beside voxels: what each particle claims [2^-claim_bits_ particles]; its weight until
-    // `claim`.
-    std::vector<std::uint32_t> claims;
-    std::vector<Births> births;  // in slot order
-    std::uint64_t total_weight = 0;
-
-    void reserve(std::size_t most_voxels, std::size_t usual_births);
-    void clear();
-    void append(const Claimants& behind);
-  };
   // Spare places behind the particles: some to make up the last pair, and some for each part. They
   // fill a cache line, so that threads do not share one.
   static constexpr std::size_t kSpare = 64 / sizeof(Particle);
-  static constexpr std::uint32_t kHasBirths = 1;  // the lowest bit of a claim, 0 in all others
   /// One thread's stretch of the particles, and of the slots.
   struct Part {
-    Claimants found;                   // by `weigh`, which gathers all in that of the first part
-    std::vector<std::uint32_t> count;  // per slot, and one for all that left: number of particles
-    std::vector<std::uint64_t> next;   // beside voxels: where the claim of its next particle begins
-    std::vector<VelocitySum> before;   // beside births: of the particles here before resampling
+    Counted counted;
+    Weighed weighed;                  // all of them, gathered, in that of the first part
+    std::vector<std::uint64_t> next;  // beside the voxels: where its next particle's claim begins;
+                                      // of the last part, in the end, where the next voxel's does
+    std::vector<VelocitySum> before;  // beside the births: of the particles here before resampling
   };
 
   /// The particles of a part: whole pairs, but for the last of all.
@@ -109,24 +87,23 @@ class Particles {
   void predict_part(int part, const ParticleMotion& motion);
   void weigh_part(int part, std::span<const float> log_odds);
   bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
-  std::size_t list_claimants(std::span<const float> log_odds, std::size_t first, std::size_t last,
-                             std::span<std::uint32_t> slots) const;
-  void weigh_slot(std::uint32_t slot, float l, std::uint32_t weight, Claimants& found) const;
+  std::size_t list_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
+                         std::span<std::uint32_t> slots) const;
+  void weigh_slot(std::uint32_t slot, float l, std::uint32_t weight, Weighed& weighed) const;
   void claim();
   void resample_part(int part);
-  void bear(const RingIndex& index);
+  void place_newborn(const RingIndex& index);
   /// Evenly in the voxel at `corner`, with V_k^j + sigma. `draw`: number of the first of two draws
   /// of `stream`.  Eq. (13)
   Particle newborn(std::uint32_t slot, const Velocity& mean, const Eigen::Vector3i& corner,
                    const RandomStream& stream, std::uint64_t draw) const;
-  std::span<Particle> slot_range(std::size_t first, std::size_t n);
+  /// Of the particles in slots [first, first + n).
+  Parallel::Share range_of(std::size_t first, std::size_t n) const;
   std::uint32_t count(std::size_t slot) const;
-  void add_to_births(std::uint32_t place, const Particle& p, Part& part) const;
-  /// Per slot, from `resample` on: its place among the voxels, 0 for none; its count until then.
-  std::vector<std::uint32_t>& places() { return parts_[0].count; }
-  /// In all slots, after `weigh`.
-  Claimants& found() { return parts_[0].found; }
-  const Claimants& found() const { return parts_[0].found; }
+  void add_to_births(std::uint32_t voxel, const Particle& p, Part& part) const;
+  /// Of all slots, after `weigh`.
+  Weighed& weighed() { return parts_[0].weighed; }
+  const Weighed& weighed() const { return parts_[0].weighed; }
 
   double resolution_;
   std::size_t n_init_;
@@ -142,7 +119,8 @@ class Particles {
   std::vector<Part> parts_;
   std::vector<Particle> particles_;  // N_init, and spare places
   std::vector<Particle> resampled_;
-  int claim_bits_ = 0;
+  Claimed claimed_;
+  Placed placed_;
 };
 
 }  // namespace ldm

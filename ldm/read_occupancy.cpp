@@ -11,7 +11,7 @@ void read_occupancy(const RingBuffer<float>& log_odds, double resolution, LocalM
   map.occupancy.resize(index.count());
   // Most neighbours are equal, at a clamp or unknown: the exponential is taken only at a change.
   float last_log_odds = 0;
-  float last_probability = 0.5;
+  float last_probability = kUnknown;
   auto out = map.occupancy.begin();
   for (int z = 0; z < map.window.size.z(); ++z) {
     for (int y = 0; y < map.window.size.y(); ++y) {

@@ -1,10 +1,10 @@
-/// Class Particles from its weights to its next generation: paper Eq. (11), (13)-(15).
+#include "ldm/resampling.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
-#include "ldm/copy_places.h"
 #include "ldm/log_odds.h"
 #include "ldm/machine/processor.h"
 #include "ldm/particles.h"
@@ -22,7 +22,7 @@ constexpr int kToWrite = 1;           // of a prefetch
 /// Number of particles in a slot, after `predict`.
 std::uint32_t Particles::count(std::size_t slot) const {
   std::uint32_t sum = 0;
-  for (const Part& part : parts_) sum += part.count[slot];
+  for (const Part& part : parts_) sum += part.counted.in_slot[slot];
   return sum;
 }
 
@@ -37,48 +37,25 @@ std::uint32_t Particles::normalised(std::uint32_t weight, double claim_per_weigh
 void Particles::weigh(const RingBuffer<float>& map) {
   const std::span<const float> log_odds = map.cells();
   const auto has_none = [](const Part& part) {
-    return std::all_of(part.count.begin(), part.count.end(), [](auto n) { return n == 0; });
+    const std::vector<std::uint32_t>& counts = part.counted.in_slot;
+    return std::all_of(counts.begin(), counts.end(), [](auto n) { return n == 0; });
   };
   if (std::all_of(parts_.begin(), parts_.end(), has_none)) {
     scatter_uniformly(map.index());
-    parallel_.run([this](int part) {
+    parallel_.for_each_part([this](int part) {
       const auto [begin, end] = stretch(part);
-      std::vector<std::uint32_t>& count = parts_[static_cast<std::size_t>(part)].count;
-      for (std::size_t i = begin; i < end; ++i) ++count[particles_[i].slot];
+      std::vector<std::uint32_t>& counts = parts_[static_cast<std::size_t>(part)].counted.in_slot;
+      for (std::size_t i = begin; i < end; ++i) ++counts[particles_[i].slot];
     });
   }
-  parallel_.run([&](int part) { weigh_part(part, log_odds); });
-  for (std::size_t part = 1; part < parts_.size(); ++part) found().append(parts_[part].found);
-}
-
-void Particles::Claimants::reserve(std::size_t most_voxels, std::size_t usual_births) {
-  voxels.reserve(most_voxels);
-  claims.reserve(most_voxels);
-  births.reserve(usual_births);
-}
-
-void Particles::Claimants::clear() {
-  voxels.clear();
-  claims.clear();
-  births.clear();
-  total_weight = 0;
-}
-
-void Particles::Claimants::append(const Claimants& behind) {
-  const auto before = static_cast<std::uint32_t>(voxels.size());
-  voxels.insert(voxels.end(), behind.voxels.begin(), behind.voxels.end());
-  claims.insert(claims.end(), behind.claims.begin(), behind.claims.end());
-  for (const Births& b : behind.births) births.push_back({before + b.place, b.count, b.claim});
-  total_weight += behind.total_weight;
+  parallel_.for_each_part([&](int part) { weigh_part(part, log_odds); });
+  for (std::size_t part = 1; part < parts_.size(); ++part) weighed().append(parts_[part].weighed);
 }
 
 void Particles::weigh_part(int part, std::span<const float> log_odds) {
-  Claimants& found = parts_[static_cast<std::size_t>(part)].found;
-  found.clear();
-  if (part == 0) {
-    found.voxels.emplace_back();
-    found.claims.push_back(0);
-  }
+  Weighed& weighed = parts_[static_cast<std::size_t>(part)].weighed;
+  weighed.clear();
+  if (part == 0) weighed.voxels.push_back({0, 0});
   float l = 0;
   std::uint32_t weight = updated_weight(l);
   std::array<std::uint32_t, kStretch> slots;
@@ -86,25 +63,25 @@ void Particles::weigh_part(int part, std::span<const float> log_odds) {
   for (std::size_t first = begin; first < end; first += kStretch) {
     const std::size_t last = std::min(first + kStretch, end);
     if (is_empty(log_odds, first, last)) continue;
-    const std::size_t listed = list_claimants(log_odds, first, last, slots);
+    const std::size_t listed = list_slots(log_odds, first, last, slots);
     for (std::size_t i = 0; i < listed; ++i) {
       // Nine of ten have the log-odds of the one before: unknown, or at a clamp.
       if (log_odds[slots[i]] != l) {
         l = log_odds[slots[i]];
         weight = updated_weight(l);
       }
-      weigh_slot(slots[i], l, weight, found);
+      weigh_slot(slots[i], l, weight, weighed);
     }
   }
 }
 
-/// True if nothing is, nor will be born, in slots [first, last). Vectors of them are looked at:
-/// that makes the stage twice as fast at 128^3, where most voxels are empty.
+/// True if nothing is, nor will be born, in slots [first, last): of a large map most are empty.
+/// Vectors of them are looked at.
 bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
                          std::size_t last) const {
   std::uint32_t any = 0;
   for (const Part& part : parts_) {
-    for (std::size_t slot = first; slot < last; ++slot) any |= part.count[slot];
+    for (std::size_t slot = first; slot < last; ++slot) any |= part.counted.in_slot[slot];
   }
   for (std::size_t slot = first; slot < last; ++slot) {
     any |= static_cast<std::uint32_t>(log_odds[slot] > occupied_above_);
@@ -114,105 +91,109 @@ bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
 
 /// Into `slots`, those of [first, last) that hold particles, or in which some are to be born; how
 /// many. Requires room for all. Without a branch, as which of them do looks like chance.
-std::size_t Particles::list_claimants(std::span<const float> log_odds, std::size_t first,
-                                      std::size_t last, std::span<std::uint32_t> slots) const {
-  const auto may_bear = static_cast<std::size_t>(min_per_voxel_ != 0);
+std::size_t Particles::list_slots(std::span<const float> log_odds, std::size_t first,
+                                  std::size_t last, std::span<std::uint32_t> slots) const {
+  const auto has_births = static_cast<std::size_t>(min_per_voxel_ != 0);
   std::size_t n = 0;
   for (std::size_t slot = first; slot < last; ++slot) {
     slots[n] = static_cast<std::uint32_t>(slot);
     const auto holds = static_cast<std::size_t>(count(slot) != 0);
-    const auto bears = static_cast<std::size_t>(log_odds[slot] > occupied_above_) & may_bear;
-    n += holds | bears;
+    const auto births = static_cast<std::size_t>(log_odds[slot] > occupied_above_) & has_births;
+    n += holds | births;
   }
   return n;
 }
 
 void Particles::weigh_slot(std::uint32_t slot, float l, std::uint32_t weight,
-                           Claimants& found) const {
+                           Weighed& weighed) const {
   const std::uint32_t count = this->count(slot);
-  found.total_weight += std::uint64_t{count} * weight;
+  weighed.total_weight += std::uint64_t{count} * weight;
   if (count < min_per_voxel_ && l > occupied_above_) {
-    const auto place = static_cast<std::uint32_t>(found.voxels.size());
+    const auto voxel = static_cast<std::uint32_t>(weighed.voxels.size());
     const auto prior = static_cast<std::uint32_t>(kOneWeight * prior_weight_);
-    found.births.push_back({place, min_per_voxel_ - count, weight - prior});
-    found.total_weight += std::uint64_t{found.births.back().count} * found.births.back().claim;
+    const Weighed::Births births{voxel, min_per_voxel_ - count, weight - prior};
+    weighed.births.push_back(births);
+    weighed.total_weight += std::uint64_t{births.count} * births.weight;
   }
-  found.voxels.push_back({slot, 0});
-  found.claims.push_back(weight);
+  weighed.voxels.push_back({slot, weight});
 }
 
 /// Lays the claims of all voxels end to end; in a voxel, those of part after part, then the births.
 void Particles::claim() {
-  Claimants& found = this->found();
-  const double per_weight = static_cast<double>(n_init_) / static_cast<double>(found.total_weight);
-  const double most = *std::max_element(found.claims.begin(), found.claims.end()) * per_weight;
-  claim_bits_ = kClaimBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(most)));
-  // Even claims leave the lowest bit to kHasBirths.
-  const double half_per_weight = std::ldexp(per_weight, claim_bits_ - 1);
+  const std::vector<Weighed::Voxel>& voxels = weighed().voxels;
+  std::uint32_t most = 0;
+  for (const Weighed::Voxel& voxel : voxels) most = std::max(most, voxel.weight);
+  const double per_weight =
+      static_cast<double>(n_init_) / static_cast<double>(weighed().total_weight);
+  const auto most_claimed = static_cast<std::uint64_t>(most * per_weight);
+  claimed_.bits = kClaimBits - static_cast<int>(std::bit_width(most_claimed));
+  // Twice as much is even: the lowest bit is left to Claim::has_births.
+  const double half_per_weight = std::ldexp(per_weight, claimed_.bits - 1);
+  claimed_.each.resize(voxels.size());
+  claimed_.births.clear();
   for (Part& part : parts_) {
-    part.next.resize(found.voxels.size());
+    part.next.resize(voxels.size());
     part.next[0] = 0;
-    part.before.assign(found.births.size(), VelocitySum{});
+    part.before.assign(weighed().births.size(), VelocitySum{});
   }
+  std::vector<std::uint32_t>& closed = parts_[0].counted.in_slot;  // from its first slot on, placed
   const RandomStream stream(seed_, Purpose::kResampling, frame_);
-  std::uint64_t next = stream.bits(0) >> (64 - claim_bits_);
-  auto births = found.births.begin();
-  for (std::size_t i = 1; i < found.voxels.size(); ++i) {
-    Voxel& voxel = found.voxels[i];
-    // What is claimed beyond N_init, a trace of rounding, is lost.
-    voxel.first = static_cast<std::uint32_t>(std::min<std::uint64_t>(next >> claim_bits_, n_init_));
-    const bool has_births = births != found.births.end() && births->place == i;
-    const std::uint32_t each =
-        2 * normalised(found.claims[i], half_per_weight) | (has_births ? kHasBirths : 0);
+  std::uint64_t next = stream.bits(0) >> (64 - claimed_.bits);
+  auto births = weighed().births.begin();
+  for (std::size_t i = 1; i < voxels.size(); ++i) {
+    const auto [slot, weight] = voxels[i];
+    const bool has_births = births != weighed().births.end() && births->voxel == i;
+    const Claim each{2 * normalised(weight, half_per_weight) | (has_births ? 1U : 0U)};
     std::uint32_t count = 0;
     for (Part& part : parts_) {
       part.next[i] = next;
-      count += part.count[voxel.slot];
-      next += std::uint64_t{part.count[voxel.slot]} * each;
+      count += part.counted.in_slot[slot];
+      next += std::uint64_t{part.counted.in_slot[slot]} * each.size;
     }
     // Particles that still name a voxel with none are forgotten ones: they claim nothing.
-    found.claims[i] = count == 0 ? 0 : each;
+    claimed_.each[i] = count == 0 ? Claim{} : each;
     if (has_births) {
-      births->claim = 2 * normalised(births->claim, half_per_weight);
-      next += std::uint64_t{births->count} * births->claim;
+      claimed_.births.push_back(2 * normalised(births->weight, half_per_weight));
+      next += std::uint64_t{births->count} * claimed_.births.back();
       ++births;
     }
-    places()[voxel.slot] = static_cast<std::uint32_t>(i);
+    closed[slot] = static_cast<std::uint32_t>(i);
   }
+  placed_.in_slot.swap(closed);
 }
 
 void Particles::resample(const RingIndex& index) {
   claim();
-  parallel_.run([this](int part) { resample_part(part); });
-  bear(index);
+  parallel_.for_each_part([this](int part) { resample_part(part); });
+  place_newborn(index);
   particles_.swap(resampled_);
 }
 
 /// Block by block: where the copies of all go; the third copies and more at once, the first two
 /// while the next block claims. In between their places come into the first cache: stores would
-/// wait for them one after the other, a sixth of the pass. Claiming waits for what it loads,
-/// copying for what it stores: together they take 0.85 of the time.
-LDM_TWICE void Particles::resample_part(int number) {
+/// wait for them one after the other. Claiming waits for what it loads, copying for what it stores.
+LDM_TARGET_CLONES void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
-  const std::uint32_t* const place_of = places().data();
-  const std::uint32_t* const claims = found().claims.data();
+  const std::uint32_t* const voxel_in = placed_.in_slot.data();
+  const Claim* const claims = claimed_.each.data();
   std::uint64_t* const next_of = part.next.data();
   auto* const resampled = reinterpret_cast<std::byte*>(resampled_.data());
-  const int bits = claim_bits_ - CopyPlaces::kSizeBits;  // 1 or more: N_init < 2^26 (parameters.h)
+  const int bits =
+      claimed_.bits - CopyPlaces::kSizeBits;  // 1 or more: N_init < 2^26 (parameters.h)
   CopyPlaces copies(n_init_, n_init_ + kSpare * (1 + static_cast<std::size_t>(number)));
-  const auto claim = [&](std::size_t i, const Particle& p) {
-    const std::uint32_t place = place_of[p.slot];
-    const std::uint32_t each = claims[place];
-    const std::uint64_t next = next_of[place];
-    next_of[place] = next + each;
-    copies.claim(i, next >> bits, (next + each) >> bits);
+  const auto claim_places = [&](std::size_t i, const Particle& p) {
+    const std::uint32_t voxel = voxel_in[p.slot];
+    const Claim claim = claims[voxel];
+    const std::uint64_t next = next_of[voxel];
+    next_of[voxel] = next + claim.size;
+    copies.claim(i, next >> bits, (next + claim.size) >> bits);
     __builtin_prefetch(resampled + (next >> bits), kToWrite);
-    if ((each & kHasBirths) != 0) add_to_births(place, p, part);
+    if (claim.has_births()) add_to_births(voxel, p, part);
   };
   const auto copy = [&](std::size_t i, const Particle& p) {
     const ParticleCopy particle(p);
-    particle.put(resampled + copies.one(i));
-    particle.put(resampled + copies.other(i));
+    particle.put(resampled + copies.first(i));
+    particle.put(resampled + copies.second(i));
   };
   std::span<const Particle> previous;
   const auto [begin, end] = stretch(number);
@@ -220,16 +201,16 @@ LDM_TWICE void Particles::resample_part(int number) {
     const auto block = all().subspan(from, std::min(CopyPlaces::kBlock, end - from));
     const std::size_t both = std::min(block.size(), previous.size());
     for (std::size_t i = 0; i < both; ++i) {
-      claim(i, block[i]);
+      claim_places(i, block[i]);
       copy(i, previous[i]);
     }
-    for (std::size_t i = both; i < block.size(); ++i) claim(i, block[i]);       // the first block
-    for (std::size_t i = both; i < previous.size(); ++i) copy(i, previous[i]);  // the last
+    for (std::size_t i = both; i < block.size(); ++i) claim_places(i, block[i]);  // the first block
+    for (std::size_t i = both; i < previous.size(); ++i) copy(i, previous[i]);    // the last
     // Behind the last of all, the places are those of a block before: at worst a needless third.
     const bool third = copies.choose();
     for (std::size_t i = 0; third && i < block.size(); ++i) {
       const ParticleCopy particle(block[i]);
-      std::uint32_t to = copies.one(i) + 2 * CopyPlaces::kSize;
+      std::uint32_t to = copies.first(i) + 2 * CopyPlaces::kSize;
       for (; to < copies.end(i); to += CopyPlaces::kSize) particle.put(resampled + to);
     }
     previous = block;
@@ -238,29 +219,30 @@ LDM_TWICE void Particles::resample_part(int number) {
 }
 
 /// `p` is one of those that were in a voxel before births. Few are, so this stays out of the loop.
-[[gnu::noinline]] void Particles::add_to_births(std::uint32_t place, const Particle& p,
+[[gnu::noinline]] void Particles::add_to_births(std::uint32_t voxel, const Particle& p,
                                                 Part& part) const {
-  const auto births =
-      std::lower_bound(found().births.begin(), found().births.end(), place,
-                       [](const Births& b, std::uint32_t number) { return b.place < number; });
-  part.before[static_cast<std::size_t>(births - found().births.begin())].add(p);
+  const std::vector<Weighed::Births>& all = weighed().births;
+  const auto births = std::lower_bound(
+      all.begin(), all.end(), voxel,
+      [](const Weighed::Births& b, std::uint32_t number) { return b.voxel < number; });
+  part.before[static_cast<std::size_t>(births - all.begin())].add(p);
 }
 
 /// The newborn of each voxel, behind the copies of those that were there.
-void Particles::bear(const RingIndex& index) {
+void Particles::place_newborn(const RingIndex& index) {
   const RandomStream stream(seed_, Purpose::kBirth, frame_);
   const VoxelBox slots{Eigen::Vector3i::Zero(), index.window().size};
-  for (std::size_t i = 0; i < found().births.size(); ++i) {
-    const Births& births = found().births[i];
-    const std::uint32_t slot = found().voxels[births.place].slot;
+  for (std::size_t i = 0; i < weighed().births.size(); ++i) {
+    const Weighed::Births& births = weighed().births[i];
+    const std::uint32_t slot = weighed().voxels[births.voxel].slot;
     const Eigen::Vector3i corner = slots.voxel(slot) * (1 << fraction_bits_);
-    std::uint64_t next = parts_.back().next[births.place];
+    std::uint64_t& next = parts_.back().next[births.voxel];
     VelocitySum before;
     for (const Part& part : parts_) before.add(part.before[i]);
     for (std::uint32_t birth = 0; birth < births.count; ++birth) {
-      const std::uint64_t begin = next >> claim_bits_;
-      next += births.claim;
-      const std::uint64_t end = std::min<std::uint64_t>(next >> claim_bits_, n_init_);
+      const std::uint64_t begin = next >> claimed_.bits;
+      next += claimed_.births[i];
+      const std::uint64_t end = std::min<std::uint64_t>(next >> claimed_.bits, n_init_);
       if (begin >= end) continue;
       const std::uint64_t draw = (std::uint64_t{slot} << 32) + 2 * birth;
       const Particle p = newborn(slot, before.mean(), corner, stream, draw);

@@ -42,7 +42,7 @@ class RingIndex {
   }
 
   /// Move the window so that its centre voxel is c: o_k = o_{k-1} - (X_k - X_{k-1}), modulo n.
-  /// Calls entered(first_slot, n_slots) for each run of slots whose voxel is new.
+  /// Calls entered(first_slot, n_slots) for each stretch of slots whose voxel is new.
   /// Cost: the voxels that enter.  Eq. (6)
   template <class Entered>
   void recenter(const VoxelIndex& c, Entered&& entered);
@@ -96,7 +96,7 @@ inline std::size_t row_slot(const RingIndex& index, int y, int z) {
   return index.slot_of_local(0, y, z) - static_cast<std::size_t>(index.origin_slot().x());
 }
 
-/// A run of a window row along x and the slots it lives in: a row wraps at most once.
+/// A stretch of a window row along x and the slots it lives in: a row wraps at most once.
 struct RowPiece {
   int x;             ///< first voxel, counted from the window's lowest
   int length;        ///< voxels

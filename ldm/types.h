@@ -73,6 +73,19 @@ struct VoxelBox {
   }
 };
 
+/// Calls visit(v, i) for each voxel v of a box and its position i in the order of VoxelBox::index.
+template <class Visit>
+void for_each_voxel(const VoxelBox& box, Visit&& visit) {
+  const VoxelIndex end = box.origin + box.size;
+  std::size_t i = 0;
+  VoxelIndex v;
+  for (v.z() = box.origin.z(); v.z() < end.z(); ++v.z()) {
+    for (v.y() = box.origin.y(); v.y() < end.y(); ++v.y()) {
+      for (v.x() = box.origin.x(); v.x() < end.x(); ++v.x()) visit(v, i++);
+    }
+  }
+}
+
 /// A group of connected occupied voxels (Sec. 3.5).
 struct Cluster {
   Point position = Point::Zero();        ///< mean of its voxels' centres, world frame [m]
@@ -82,11 +95,18 @@ struct Cluster {
   bool dynamic = false;                  ///< faster than the threshold velocity of Sec. 3.3.2
 };
 
+/// P(Occ) of a voxel of which nothing is known.
+inline constexpr float kUnknown = 0.5F;
+/// Whether a map says occupied of a voxel: above unknown, which counts as free.
+inline bool is_occupied(float p) {
+  return p > kUnknown;
+}
+
 /// What a mapper knows of the space around the UAV, in window order (see VoxelBox::index).
 struct LocalMap {
   VoxelBox window;
   double resolution = 0;             ///< edge of a voxel [m]
-  std::vector<float> occupancy;      ///< P(Occ) per voxel; exactly 0.5 where unknown
+  std::vector<float> occupancy;      ///< P(Occ) per voxel; exactly kUnknown where unknown
   std::vector<std::int32_t> labels;  ///< per voxel its cluster's position in `clusters`, or -1
   std::vector<Cluster> clusters;     ///< empty for mappers that find none
 

@@ -1,9 +1,10 @@
-"""The index of the paper's equations: number, symbol, file, test; `make equations`.
+"""The index of the paper's equations: where each is in plain words, where in the fast code, and its test.
 
-A tag is `Eq. (N)` in a comment before, or on the line of, a declaration. Equations 1 to 17 are the
-method's and are tagged once each in ldm/; equation 18 is a score and is tagged once in experiments/.
-The comment at the head of a file, which says what the file is about, holds no tags. Each equation
-has a test that names it, in the tests' folder of the same name. Exit code 1 if anything of this fails.
+A tag is `Eq. (N)` in a comment before, or on the line of, a declaration or a statement. Equations 1 to 17
+are the method's: each is tagged once in ldm/plain/, which computes it as the paper writes it, and once in
+the rest of ldm/; equation 18 is a score and is tagged once in experiments/. The comment at the head of a
+file, which says what the file is about, holds no tags. Each equation has a test that names it, in the
+tests' folder of the same name. Exit code 1 if anything of this fails.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
-HOME = {**{number: "ldm" for number in range(1, 18)}, 18: "experiments"}
+PLAIN = "ldm/plain"
+METHOD = range(1, 18)
+HOME = {**{number: "ldm" for number in METHOD}, 18: "experiments"}
 TAG = re.compile(r"Eq\. \((\d+)\)")
 COMMENT = re.compile(r"//.*")
 TEST = re.compile(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),\s*(\w+)\)")
@@ -49,14 +52,17 @@ def tags(lines: list[str]) -> Iterator[tuple[int, int]]:
             yield int(tag.group(1)), index
 
 
+def code_at(lines: list[str], index: int) -> str:
+    """The code on line `index` or, after comments and templates, below it."""
+    code = (COMMENT.sub("", line).strip() for line in lines[index:])
+    return next((line for line in code if line and not line.startswith("template")), "-")
+
+
 def declared(lines: list[str], index: int) -> str:
-    """Name of what is declared on line `index` or, after comments and templates, below it."""
-    for line in lines[index:]:
-        code = COMMENT.sub("", line).strip()
-        if code and not code.startswith("template"):
-            match = NAME.search(code)
-            return next(filter(None, match.groups())) if match else code
-    return "-"
+    """Name of what is declared there."""
+    code = code_at(lines, index)
+    match = NAME.search(code)
+    return next(filter(None, match.groups())) if match else code
 
 
 def enclosing_test(lines: list[str], index: int) -> str | None:
@@ -74,54 +80,72 @@ def sources(folder: Path) -> list[Path]:
     return sorted(file for file in folder.rglob("*") if file.suffix in (".h", ".cpp"))
 
 
-def index_of(root: Path) -> tuple[dict[int, list[Place]], dict[int, list[Place]]]:
+Places = dict[int, list[Place]]  # of each equation
+
+
+class Index(NamedTuple):
+    plain: Places  # their symbol is the code
+    fast: Places  # scores included
+    tests: Places
+
+
+def index_of(root: Path) -> Index:
     """Declarations and tests of each equation below `root`."""
-    declarations: dict[int, list[Place]] = {number: [] for number in HOME}
-    tests: dict[int, list[Place]] = {number: [] for number in HOME}
+    index = Index(*({number: [] for number in HOME} for _ in Index._fields))
     for folder in sorted(set(HOME.values())):
         for file in sources(root / folder):
             lines = file.read_text(encoding="utf-8").splitlines()
+            is_plain = file.is_relative_to(root / PLAIN)
             for number, line in tags(lines):
-                place = Place(file.relative_to(root), line + 1, declared(lines, line))
-                declarations.setdefault(number, []).append(place)
+                symbol = (code_at if is_plain else declared)(lines, line)
+                place = Place(file.relative_to(root), line + 1, symbol)
+                (index.plain if is_plain else index.fast).setdefault(number, []).append(place)
         for file in sources(root / "tests" / folder):
             lines = file.read_text(encoding="utf-8").splitlines()
-            for index, line in enumerate(lines):
-                for tag in TAG.finditer(line):
-                    test = enclosing_test(lines, index)
+            for line, text in enumerate(lines):
+                for tag in TAG.finditer(text):
+                    test = enclosing_test(lines, line)
                     if test and HOME.get(int(tag.group(1))) == folder:
-                        place = Place(file.relative_to(root), index + 1, test)
-                        tests[int(tag.group(1))].append(place)
-    return declarations, tests
+                        place = Place(file.relative_to(root), line + 1, test)
+                        index.tests[int(tag.group(1))].append(place)
+    return index
 
 
-def faults(declarations: dict[int, list[Place]], tests: dict[int, list[Place]]) -> list[str]:
+def misplaced(number: int, home: str, places: list[Place]) -> list[str]:
+    """A line unless an equation has one tag, in its home."""
+    where = ", ".join(map(str, places))
+    if len(places) != 1:
+        return [f"Eq. ({number}): one tag wanted in {home}/, found {len(places)}: {where or '-'}"]
+    if places[0].file.parts[0] != home.split("/")[0]:
+        return [f"Eq. ({number}): belongs to {home}/, tagged in {where}"]
+    return []
+
+
+def faults(index: Index) -> list[str]:
     """A line for each missing, doubled or misplaced tag and each equation without a test."""
     found = []
-    for number, places in sorted(declarations.items()):
-        home = HOME.get(number)
-        where = ", ".join(map(str, places))
-        if home is None:
+    for number in sorted({*index.plain, *index.fast}):
+        if number not in HOME:
+            where = ", ".join(map(str, index.plain.get(number, []) + index.fast.get(number, [])))
             found.append(f"Eq. ({number}): the paper has no such equation: {where}")
-        elif len(places) != 1:
-            found.append(f"Eq. ({number}): one tag wanted in {home}/, found {len(places)}: {where or '-'}")
-        elif places[0].file.parts[0] != home:
-            found.append(f"Eq. ({number}): belongs to {home}/, tagged in {where}")
-        if home and not tests[number]:
-            found.append(f"Eq. ({number}): no test in tests/{home}/ names it")
+            continue
+        found += misplaced(number, HOME[number], index.fast[number])
+        if number in METHOD or index.plain[number]:
+            found += misplaced(number, PLAIN if number in METHOD else HOME[number], index.plain[number])
+        if not index.tests[number]:
+            found.append(f"Eq. ({number}): no test in tests/{HOME[number]}/ names it")
     return found
 
 
 def main() -> int:
     root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[1]
-    declarations, tests = index_of(root)
-    print(f"{'Eq.':<5} {'symbol':<26} {'declared in':<36} test")
+    index = index_of(root)
     for number in HOME:
-        place = next(iter(declarations[number]), None)
-        test = next(iter(tests[number]), None)
-        print(f"{number:<5} {place.symbol if place else '-':<26} {str(place or '-'):<36} "
-              f"{test.symbol if test else '-'}")
-    found = faults(declarations, tests)
+        print(f"Eq. ({number})")
+        for name, places in zip(Index._fields, index):
+            for place in places[number][:1]:
+                print(f"  {name:<6} {str(place):<48} {place.symbol}")
+    found = faults(index)
     for fault in found:
         print(fault, file=sys.stderr)
     return 1 if found else 0

@@ -56,7 +56,7 @@ AXES = [
 
 CAPTIONS = {
     "bench_stages": "Median wall time of each stage of a frame, 16x1024 rays; plain reference: the "
-    "same method in tests/reference/, one thread.",
+    "same method in ldm/plain/, one thread.",
     "bench_growth": "Median time of a whole frame along each axis, the others as in the legend, "
     "with 16x1024 rays and one thread; CPU time for one thread, wall time for more. B3: one pass "
     "and two copies of the particles' memory, from memory or from the cache.",

@@ -9,7 +9,6 @@ namespace {
 // Of a cluster's place and velocity, for maps that do not say [m], [m/s].
 constexpr double kPlaceSigma = 0.1, kVelocitySigma = 0.15;
 constexpr double kMostDoubt = 0.8;  // [m]
-constexpr float kOccupied = 0.5F;
 
 Eigen::Vector3d centre_of(const ldm::VoxelIndex& low, const ldm::VoxelIndex& high,
                           double resolution) {
@@ -44,7 +43,7 @@ class MappedSight final : public Sight {
     std::vector<Span> spans(map_.clusters.size());
     occupied_.assign(map_.occupancy.size(), 0);
     for (std::size_t i = 0; i < occupied_.size(); ++i) {
-      if (!(map_.occupancy[i] > kOccupied)) continue;
+      if (!ldm::is_occupied(map_.occupancy[i])) continue;
       const std::int32_t label = map_.labels.empty() ? -1 : map_.labels[i];
       if (label >= 0 && moves(map_.clusters[static_cast<std::size_t>(label)])) {
         spans[static_cast<std::size_t>(label)].add(map_.window.voxel(i));
@@ -70,7 +69,7 @@ class MappedSight final : public Sight {
     for (int z = first.z(); z <= last.z(); ++z) {
       for (int y = first.y(); y <= last.y(); ++y) {
         for (int x = first.x(); x <= last.x(); ++x) {
-          if (map_.occupancy[map_.window.index({x, y, z})] > kOccupied) return true;
+          if (ldm::is_occupied(map_.occupancy[map_.window.index({x, y, z})])) return true;
         }
       }
     }

@@ -43,7 +43,7 @@ void add_targets(List& list) {
       list.add_bounded({kLdm, 128, kManyParticles, pattern, threads});
     }
   }
-  list.add({kPlainLdm, 32, kFewParticles, kFewRays, 1});
+  list.add({"plain_ldm", 32, kFewParticles, kFewRays, 1});
   list.add({"circular_buffer_pf", 32, kFewParticles, kFewRays, 1});
   for (const int edge : {32, 128}) {
     list.add({"circular_buffer", edge, 0, kFewRays, 1});

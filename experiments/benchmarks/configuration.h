@@ -28,8 +28,7 @@ struct Configuration {
   bool operator==(const Configuration&) const = default;
 };
 
-inline constexpr char kPlainLdm[] = "plain_ldm";        ///< tests/reference/plain_ldm.h
-inline constexpr char kLibOctomap[] = "liboctomap";     ///< tests/reference/liboctomap.h
+inline constexpr char kLibOctomap[] = "liboctomap";     ///< baselines/liboctomap.h
 inline constexpr char kBoundCache[] = "bound_cache";    ///< memory_bound.h
 inline constexpr char kBoundMemory[] = "bound_memory";  ///< memory_bound.h
 inline constexpr char kSimulate[] = "simulate";         ///< one scan of the simulated LiDAR

@@ -66,7 +66,7 @@ MemoryBound::Buffer& MemoryBound::next() {
 }
 
 void MemoryBound::pass(Buffer& buffer) const {
-  parallel_.run([&](int part) {
+  parallel_.for_each_part([&](int part) {
     const auto [begin, end] = parallel_.share(part, buffer.size());
     for (std::size_t i = begin; i < end; ++i) {
       for (std::uint32_t& word : buffer[i].words) word += 1;
@@ -75,7 +75,7 @@ void MemoryBound::pass(Buffer& buffer) const {
 }
 
 void MemoryBound::copy(const Buffer& from, Buffer& to) const {
-  parallel_.run([&](int part) {
+  parallel_.for_each_part([&](int part) {
     const auto [begin, end] = parallel_.share(part, from.size());
     std::copy(from.data() + begin, from.data() + end, to.data() + begin);
   });

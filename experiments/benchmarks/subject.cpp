@@ -1,10 +1,9 @@
 #include "experiments/benchmarks/subject.h"
 
+#include "baselines/liboctomap.h"
 #include "datasets/scenario/simulation.h"
 #include "experiments/benchmarks/memory_bound.h"
 #include "experiments/method/methods.h"
-#include "tests/reference/liboctomap.h"
-#include "tests/reference/plain_ldm.h"
 
 namespace benchmarks {
 namespace {
@@ -48,21 +47,14 @@ class SimulationSubject final : public Subject {
   datasets::Frame frame_;
 };
 
-/// The method whose parameters a subject takes.
-std::string method_of(const Configuration& c) {
-  if (c.subject == kPlainLdm) return "ldm";
-  return c.subject == kLibOctomap ? "octomap" : c.subject;
-}
-
 std::unique_ptr<ldm::Mapper> make_mapper(const Configuration& c) {
-  const experiments::Method& method = experiments::find_method(method_of(c));
+  const bool is_library = c.subject == kLibOctomap;
+  const experiments::Method& method = experiments::find_method(is_library ? "octomap" : c.subject);
   ldm::Parameters parameters = experiments::default_parameters(method);
   parameters.map.voxels.setConstant(c.edge);
   if (c.particles > 0) parameters.particles.count = c.particles;
   parameters.execution.threads = c.threads;
-  if (c.subject == kPlainLdm) return std::make_unique<reference::PlainLdm>(parameters);
-  if (c.subject == kLibOctomap) return std::make_unique<reference::LibOctomap>(parameters);
-  return method.create(parameters);
+  return is_library ? ldm::create<baselines::LibOctomap>(parameters) : method.create(parameters);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "baselines/octomap.h"
 #include "datasets/files/text.h"
 #include "ldm/local_dynamic_map.h"
+#include "ldm/plain/local_dynamic_map.h"
 
 namespace experiments {
 namespace {
@@ -56,6 +57,13 @@ std::deque<Method>& table() {
        .help = "knows nothing: every voxel is unknown; shows which scores silence wins",
        .parameters = {"map"},
        .create = create<baselines::EmptyMap>},
+      // To read and to hold `ldm` to: too slow for a study.
+      {.name = "plain_ldm",
+       .help = "the same method as ldm in floating point, as the paper writes it: 50 times slower",
+       .finds_clusters = true,
+       .parameters = {"map", "sensor_model", "survival", "prediction", "particles", "clusters",
+                      "execution.seed"},
+       .create = create<ldm::plain::LocalDynamicMap>},
   };
   return rows;
 }

@@ -7,7 +7,8 @@
 
 namespace experiments {
 
-/// Sums over voxels and frames. A voxel is called occupied iff P > 0.5: unknown counts as free.
+/// Sums over voxels and frames. A voxel is called occupied as by ldm::is_occupied: unknown counts
+/// as free.
 struct OccupancyTally {
   std::int64_t frames = 0;
   std::int64_t voxels = 0;

@@ -42,17 +42,4 @@ class TruthGrid {
   std::vector<std::uint8_t> visible_;
 };
 
-/// Calls `visit(v, i)` for each voxel of a box and its position i in window order.
-template <class Visitor>
-void for_each_voxel(const ldm::VoxelBox& box, Visitor&& visit) {
-  const ldm::VoxelIndex end = box.origin + box.size;
-  std::size_t i = 0;
-  ldm::VoxelIndex v;
-  for (v.z() = box.origin.z(); v.z() < end.z(); ++v.z()) {
-    for (v.y() = box.origin.y(); v.y() < end.y(); ++v.y()) {
-      for (v.x() = box.origin.x(); v.x() < end.x(); ++v.x()) visit(v, i++);
-    }
-  }
-}
-
 }  // namespace experiments

@@ -25,22 +25,14 @@ std::string formatted(const char* format, Values... values) {
 
 void add_cubes(const ldm::LocalMap& map, const std::vector<std::size_t>& colours,
                Picture& picture) {
-  const ldm::VoxelBox& window = map.window;
-  for (int z = 0; z < window.size.z(); ++z) {
-    for (int y = 0; y < window.size.y(); ++y) {
-      for (int x = 0; x < window.size.x(); ++x) {
-        const ldm::VoxelIndex v = window.origin + ldm::VoxelIndex(x, y, z);
-        const std::size_t i = window.index(v);
-        if (!(map.occupancy[i] > 0.5F)) continue;
-        const Eigen::Vector3d centre = (v.cast<double>().array() + 0.5) * map.resolution;
-        const auto label = map.labels[i];
-        picture.cubes.push_back(
-            {centre.cast<float>(), label < 0
-                                       ? kNoClusterColour
-                                       : cluster_colour(colours[static_cast<std::size_t>(label)])});
-      }
-    }
-  }
+  for_each_voxel(map.window, [&](const ldm::VoxelIndex& v, std::size_t i) {
+    if (!ldm::is_occupied(map.occupancy[i])) return;
+    const Eigen::Vector3d centre = (v.cast<double>().array() + 0.5) * map.resolution;
+    const auto label = map.labels[i];
+    picture.cubes.push_back(
+        {centre.cast<float>(),
+         label < 0 ? kNoClusterColour : cluster_colour(colours[static_cast<std::size_t>(label)])});
+  });
 }
 
 /// The dynamic clusters that have an arrow: more of them hide one another.

@@ -63,15 +63,15 @@ void SavedMaps::write_ply_files(const ldm::LocalMap& map, const std::vector<std:
   std::vector<PlyVertex> occupied, free;
   for_each_voxel(map.window, [&](const ldm::VoxelIndex& v, std::size_t i) {
     const float p = map.occupancy[i];
-    if (p == 0.5F) return;
+    if (p == ldm::kUnknown) return;
     const Eigen::Vector3d centre = (v.cast<double>().array() + 0.5) * map.resolution;
-    PlyVertex vertex{centre.cast<float>(), p > 0.5F ? kNoClusterColour : kFree, p, 0};
+    PlyVertex vertex{centre.cast<float>(), ldm::is_occupied(p) ? kNoClusterColour : kFree, p, 0};
     if (map.labels[i] >= 0) {
       const auto cluster = static_cast<std::size_t>(map.labels[i]);
       vertex.colour = cluster_colour(colours[cluster]);
       vertex.track = static_cast<std::int32_t>(tracks[cluster]);
     }
-    (p > 0.5F ? occupied : free).push_back(vertex);
+    (ldm::is_occupied(p) ? occupied : free).push_back(vertex);
   });
   write_ply_file(occupied, folder_ / (name + ".occupied.ply"));
   write_ply_file(free, folder_ / (name + ".free.ply"));

@@ -3,7 +3,7 @@
 ///
 /// The compiler's vector extension (g++ and clang): the same source becomes SSE on x86 and NEON on
 /// ARM, with the same bits. Where the extension has no word for one instruction that both
-/// processors have, a function names it, and `plain` holds what it means on any other.
+/// processors have, a function names it, and `portable` holds what it means on any other.
 #include <algorithm>
 #include <cstdint>
 
@@ -33,7 +33,7 @@ inline UInt16x8 lower(const UInt16x8& a, const UInt16x8& b) {
   return a < b ? a : b;
 }
 
-namespace plain {
+namespace portable {
 
 inline Int16x8 saturating_sum(const Int16x8& a, const Int16x8& b) {
   Int16x8 sum{};
@@ -57,7 +57,7 @@ inline Int32x4 sum_of_products(const Int16x8& a, const Int16x8& b) {
   return sum;
 }
 
-}  // namespace plain
+}  // namespace portable
 
 /// a + b in each lane; the nearest number that fits, where the sum does not.
 inline Int16x8 saturating_sum(const Int16x8& a, const Int16x8& b) {
@@ -68,7 +68,7 @@ inline Int16x8 saturating_sum(const Int16x8& a, const Int16x8& b) {
   return reinterpret_cast<Int16x8>(
       vqaddq_s16(reinterpret_cast<int16x8_t>(a), reinterpret_cast<int16x8_t>(b)));
 #else
-  return plain::saturating_sum(a, b);
+  return portable::saturating_sum(a, b);
 #endif
 }
 
@@ -81,7 +81,7 @@ inline Int16x8 rounded_product(const Int16x8& a, const Int16x8& b) {
   return reinterpret_cast<Int16x8>(
       vqrdmulhq_s16(reinterpret_cast<int16x8_t>(a), reinterpret_cast<int16x8_t>(b)));
 #else
-  return plain::rounded_product(a, b);
+  return portable::rounded_product(a, b);
 #endif
 }
 
@@ -96,7 +96,7 @@ inline Int32x4 sum_of_products(const Int16x8& a, const Int16x8& b) {
   return reinterpret_cast<Int32x4>(vpaddq_s32(vmull_s16(vget_low_s16(x), vget_low_s16(y)),
                                               vmull_s16(vget_high_s16(x), vget_high_s16(y))));
 #else
-  return plain::sum_of_products(a, b);
+  return portable::sum_of_products(a, b);
 #endif
 }
 

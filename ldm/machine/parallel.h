@@ -21,7 +21,7 @@ class Parallel {
 
   /// body(part) for each part, at the same time; returns when all are done.
   template <class Body>
-  void run(Body&& body) const {
+  void for_each_part(Body&& body) const {
     if (parts_ == 1) {
       body(0);
       return;

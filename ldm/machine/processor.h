@@ -8,7 +8,7 @@
 /// clang, and without glibc, which does the choosing and is not ready for it under a sanitizer.
 #if defined(__x86_64__) && !defined(__AVX2__) && !defined(__clang__) && defined(__GLIBC__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LDM_TWICE __attribute__((target_clones("arch=x86-64-v3", "default")))
+#define LDM_TARGET_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
-#define LDM_TWICE
+#define LDM_TARGET_CLONES
 #endif

@@ -8,7 +8,6 @@
 
 #include "tests/reference/dense_grid.h"
 #include "tests/reference/scan_of_boxes.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace baselines {
 namespace {
@@ -69,11 +68,11 @@ class DenseMap {
     for (const ldm::Point& p : scan.points) {
       hits.push_back(ldm::voxel_at(scan.T_world_sensor * p.cast<double>(), resolution_));
     }
-    reference::for_each_voxel(cells_.window(), [&](const ldm::VoxelIndex& v) {
+    for_each_voxel(cells_.window(), [&](const ldm::VoxelIndex& v, std::size_t) {
       auto way = reference::Crossing::kMissed;
       for (const ldm::VoxelIndex& hit : hits) {
         if (hit == v) return add(v, kHit);
-        way = std::max(way, crossing(reference::ray_to_centre(sensor, hit), v));
+        way = std::max(way, reference::crossing(reference::ray_to_centre(sensor, hit), v));
       }
       if (way == reference::Crossing::kGrazed) cells_.at(v).in_doubt = true;
       if (way == reference::Crossing::kCrossed) add(v, kMiss);
@@ -112,7 +111,7 @@ TEST(CircularBuffer, EqualsADenseMapOnRandomScans) {
     buffer.update(scan);
     dense.update(scan);
     ASSERT_EQ(buffer.log_odds().index().window().origin, dense.window().origin);
-    reference::for_each_voxel(dense.window(), [&](const ldm::VoxelIndex& v) {
+    for_each_voxel(dense.window(), [&](const ldm::VoxelIndex& v, std::size_t) {
       const DenseMap::Cell& cell = dense.at(v);
       if (cell.in_doubt) {
         ++in_doubt;

@@ -1,4 +1,4 @@
-// What ldm/mapper.h promises of every mapper, held against each baseline.
+// What ldm/mapper.h promises of every mapper, held against each baseline and the plain map.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -9,6 +9,7 @@
 #include "baselines/circular_buffer_pf.h"
 #include "baselines/current_scan.h"
 #include "baselines/octomap.h"
+#include "ldm/plain/local_dynamic_map.h"
 #include "tests/reference/scan_of_boxes.h"
 
 namespace baselines {
@@ -36,8 +37,9 @@ class MapperContract : public testing::Test {
   Mapper mapper_{small_parameters()};
   ldm::LocalMap map_;
 };
-using Baselines = testing::Types<Octomap, CircularBuffer, CircularBufferPf, CurrentScan>;
-TYPED_TEST_SUITE(MapperContract, Baselines);
+using Mappers = testing::Types<Octomap, CircularBuffer, CircularBufferPf, CurrentScan,
+                               ldm::plain::LocalDynamicMap>;
+TYPED_TEST_SUITE(MapperContract, Mappers);
 
 /// One return `x`, `y`, `z` [m] from the sensor.
 ldm::Scan one_return(double time, float x, float y, float z) {

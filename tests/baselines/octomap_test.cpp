@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "baselines/liboctomap.h"
 #include "tests/ldm/random_inputs.h"
-#include "tests/reference/liboctomap.h"
 #include "tests/reference/scan_of_boxes.h"
 
 namespace baselines {
@@ -65,7 +65,7 @@ TEST_F(OctomapTest, RemembersWhatTheWindowHasLeft) {
 }
 
 TEST_F(OctomapTest, IsWhatInsertPointCloudMakesOfTheSameScans) {
-  reference::LibOctomap library{ldm::Parameters()};
+  LibOctomap library{ldm::Parameters()};
   ldm::LocalMap expected;
   ldm::Random random(5);
   Eigen::Vector3d uav = Eigen::Vector3d::Zero();

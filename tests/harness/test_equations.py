@@ -11,10 +11,12 @@ SCRIPT = Path(__file__).resolve().parents[1] / "equations.py"
 @pytest.fixture
 def tree(tmp_path: Path) -> Path:
     """A source tree in which every equation has its tag and its test."""
-    for folder in ("ldm", "experiments", "tests/ldm", "tests/experiments"):
+    for folder in ("ldm/plain", "experiments", "tests/ldm", "tests/experiments"):
         (tmp_path / folder).mkdir(parents=True)
     method = "\n".join(f"/// Text.  Eq. ({n})\ndouble f{n}(double x);" for n in range(1, 18))
     (tmp_path / "ldm/method.h").write_text(f"#pragma once\n/// Head: Eq. (3)-(5).\n\n{method}\n")
+    plain = "".join(f"  x{n} += y;  // Text.  Eq. ({n})\n" for n in range(1, 18))
+    (tmp_path / "ldm/plain/method.cpp").write_text(f"// Head: Eq. (3).\n\nvoid f() {{\n{plain}}}\n")
     tests = "\n".join(f"// Eq. ({n})\nTEST(Method, F{n}) {{\n}}" for n in range(1, 18))
     (tmp_path / "tests/ldm/method_test.cpp").write_text(tests)
     (tmp_path / "experiments/score.h").write_text("#pragma once\nint hits;  ///< Eq. (18)\n")
@@ -31,12 +33,29 @@ def append(file: Path, text: str) -> None:
     file.write_text(file.read_text() + text)
 
 
-def test_prints_symbol_file_and_test(tree):
+def test_prints_plain_and_fast_home_and_test(tree):
     done = run(tree)
     assert (done.returncode, done.stderr) == (0, "")
-    rows = [line.split() for line in done.stdout.splitlines()]
-    assert rows[11] == ["11", "f11", "ldm/method.h:24", "Method.F11"]
-    assert rows[18] == ["18", "hits", "experiments/score.h:2", "Score.Hits"]
+    blocks = [block.split() for block in done.stdout.split("Eq. ")[1:]]
+    assert blocks[10] == ["(11)", "plain", "ldm/plain/method.cpp:14", "x11", "+=", "y;",
+                          "fast", "ldm/method.h:24", "f11", "tests", "tests/ldm/method_test.cpp:31", "Method.F11"]
+    assert blocks[17] == ["(18)", "fast", "experiments/score.h:2", "hits",
+                          "tests", "tests/experiments/score_test.cpp:2", "Score.Hits"]
+
+
+def test_an_equation_without_plain_words_fails(tree):
+    file = tree / "ldm/plain/method.cpp"
+    file.write_text(file.read_text().replace("Eq. (7)", "see eq. 7"))
+    done = run(tree)
+    assert done.returncode == 1
+    assert done.stderr == "Eq. (7): one tag wanted in ldm/plain/, found 0: -\n"
+
+
+def test_a_score_in_plain_words_fails(tree):
+    append(tree / "ldm/plain/method.cpp", "int hits;  // Eq. (18)\n")
+    done = run(tree)
+    assert done.returncode == 1
+    assert done.stderr == "Eq. (18): belongs to experiments/, tagged in ldm/plain/method.cpp:22\n"
 
 
 def test_a_missing_tag_fails(tree):

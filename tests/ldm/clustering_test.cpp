@@ -9,12 +9,9 @@
 #include "ldm/read_occupancy.h"
 #include "tests/ldm/random_inputs.h"
 #include "tests/reference/components_oracle.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
-
-using reference::for_each_voxel;
 
 class ClusteringTest : public testing::Test {
  protected:
@@ -109,7 +106,7 @@ class ClusteringOracleTest : public testing::Test {
     log_odds_.emplace(n);
     log_odds_->recenter(random_vector(-50, 50, random_));
     occupied_.clear();
-    for_each_voxel(window(), [&](const VoxelIndex& v) {
+    for_each_voxel(window(), [&](const VoxelIndex& v, std::size_t) {
       const bool occupied = uniform(0, 1, random_) < density;
       log_odds_->at(v) =
           static_cast<float>(occupied ? uniform(0.01, 3.5, random_) : uniform(-2, 0, random_));

@@ -1,5 +1,5 @@
 /// Where copies go: nowhere, to one place, to two or more, and never beyond the end.
-#include "ldm/copy_places.h"
+#include "ldm/resampling.h"
 
 #include <gtest/gtest.h>
 
@@ -18,16 +18,16 @@ TEST(CopyPlacesTest, ByHand) {
   places.claim(1, 7 * kSize + 9, 8 * kSize);
   places.claim(2, 8 * kSize, 10 * kSize + 15);
   EXPECT_FALSE(places.choose());
-  EXPECT_EQ(places.one(0), kSpare * kSize);
-  EXPECT_EQ(places.other(0), kSpare * kSize);
-  EXPECT_EQ(places.one(1), 7 * kSize);
-  EXPECT_EQ(places.other(1), kSpare * kSize);
-  EXPECT_EQ(places.one(2), 8 * kSize);
-  EXPECT_EQ(places.other(2), 9 * kSize);
+  EXPECT_EQ(places.first(0), kSpare * kSize);
+  EXPECT_EQ(places.second(0), kSpare * kSize);
+  EXPECT_EQ(places.first(1), 7 * kSize);
+  EXPECT_EQ(places.second(1), kSpare * kSize);
+  EXPECT_EQ(places.first(2), 8 * kSize);
+  EXPECT_EQ(places.second(2), 9 * kSize);
   places.claim(63, 10 * kSize + 15, 13 * kSize);
   EXPECT_TRUE(places.choose());
-  EXPECT_EQ(places.one(63), 10 * kSize);
-  EXPECT_EQ(places.other(63), 11 * kSize);
+  EXPECT_EQ(places.first(63), 10 * kSize);
+  EXPECT_EQ(places.second(63), 11 * kSize);
   EXPECT_EQ(places.end(63), 13 * kSize);
 }
 
@@ -52,8 +52,8 @@ TEST(CopyPlacesTest, WhatIsClaimedBeyondTheEndIsLost) {
     }
     ASSERT_EQ(places.choose(), third);
     for (std::size_t i = 0; i < CopyPlaces::kBlock; ++i) {
-      ASSERT_EQ(places.one(i), (first[i] < last[i] ? first[i] : kSpare) * kSize);
-      ASSERT_EQ(places.other(i), (first[i] + 1 < last[i] ? first[i] + 1 : kSpare) * kSize);
+      ASSERT_EQ(places.first(i), (first[i] < last[i] ? first[i] : kSpare) * kSize);
+      ASSERT_EQ(places.second(i), (first[i] + 1 < last[i] ? first[i] + 1 : kSpare) * kSize);
       ASSERT_EQ(places.end(i), last[i] * kSize);
     }
   }

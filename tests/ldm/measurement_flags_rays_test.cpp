@@ -7,7 +7,6 @@
 #include "ldm/measurement_flags.h"
 #include "tests/ldm/random_inputs.h"
 #include "tests/reference/ray_oracle.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -149,7 +148,7 @@ void compare(const Eigen::Vector3i& n, bool sensor_inside, std::uint64_t seed) {
   for (int i = 0; i < 6; ++i) {
     const KnownScan known = scans.draw(sensor_inside);
     flags.mark(known.scan, window);
-    reference::for_each_voxel({VoxelIndex::Zero(), n}, [&](const VoxelIndex& v) {
+    for_each_voxel({VoxelIndex::Zero(), n}, [&](const VoxelIndex& v, std::size_t) {
       const std::uint8_t f = flags.flags()[window.index(window.origin + v)];
       ++seen[f == flag::kNone ? 0 : f <= flag::kShadow ? 1 : f == flag::kFree ? 2 : 3];
       const Allowed allowed = allowed_at(v, known);

@@ -4,7 +4,6 @@
 
 #include "ldm/occupancy_prediction.h"
 #include "tests/ldm/random_inputs.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 
@@ -24,7 +23,7 @@ class MovingClusters {
   /// The voxels above a log-odds, in window order.
   std::vector<VoxelIndex> above(float l) const {
     std::vector<VoxelIndex> voxels;
-    reference::for_each_voxel(log_odds_.index().window(), [&](const VoxelIndex& v) {
+    for_each_voxel(log_odds_.index().window(), [&](const VoxelIndex& v, std::size_t) {
       if (at(v) > l) voxels.push_back(v);
     });
     return voxels;
@@ -48,7 +47,7 @@ class MovingClusters {
   /// The voxels in which static objects stand after `predict`, in window order.
   std::vector<VoxelIndex> kept() const {
     std::vector<VoxelIndex> voxels;
-    reference::for_each_voxel(log_odds_.index().window(), [&](const VoxelIndex& v) {
+    for_each_voxel(log_odds_.index().window(), [&](const VoxelIndex& v, std::size_t) {
       if (prediction_.kept()[log_odds_.index().slot(v)] != 0) voxels.push_back(v);
     });
     return voxels;

@@ -9,7 +9,6 @@
 
 #include "ldm/measurement_flags.h"
 #include "tests/ldm/random_inputs.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -165,8 +164,8 @@ TEST_P(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
     update.apply(flags, kept, log_odds);
 
     const VoxelBox& window = log_odds.index().window();
-    reference::for_each_voxel(window, [&](const VoxelIndex& v) {
-      const std::uint8_t f = flags[window.index(v)];
+    for_each_voxel(window, [&](const VoxelIndex& v, std::size_t i) {
+      const std::uint8_t f = flags[i];
       const float l_z = f == flag::kOccupied ? z.occupied : f == flag::kFree ? z.free : 0;
       const bool stays = !kept.empty() && kept[log_odds.index().slot(v)] == 1;
       const bool untouched = l_z == 0 && update.survival(f) == 1;

@@ -3,7 +3,6 @@
 
 #include "ldm/particles.h"
 #include "tests/ldm/particle_expectations.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -24,7 +23,7 @@ class SparseParticlesTest : public testing::Test {
     const std::vector<std::size_t> counts = filter.counts();
     const RingIndex& index = filter.log_odds.index();
     for (std::size_t i = 5000; i < counts.size(); ++i) {
-      const VoxelIndex v = reference::voxel_of(index.window(), i);
+      const VoxelIndex v = index.window().voxel(i);
       if (counts[index.slot(v)] == 0 && n-- == 0) return v;
     }
     throw std::logic_error("all voxels hold particles");
@@ -116,7 +115,7 @@ TEST_F(SparseParticlesTest, NewVoxelsKnowNothingOfTheParticlesThatLeft) {
   f.recenter({5, 0, 0});
   const VoxelBox& window = f.log_odds.index().window();
   int entered = 0;
-  reference::for_each_voxel(window, [&](const VoxelIndex& v) {
+  for_each_voxel(window, [&](const VoxelIndex& v, std::size_t) {
     if (old.contains(v) || ++entered % 50 != 0) return;
     f.log_odds.at(v) = 3.5F;
   });

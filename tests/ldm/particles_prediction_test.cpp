@@ -3,7 +3,6 @@
 
 #include "ldm/particles.h"
 #include "tests/ldm/particle_expectations.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -119,7 +118,7 @@ TEST(ParticlePredictionTest, ThoseThatLeftAreNotResampled) {
   // The lower half, y < 0, drifts out of the map; the other stays.
   const VoxelBox& window = filter.log_odds.index().window();
   for (std::size_t i = 0; i < window.count(); ++i) {
-    const VoxelIndex v = reference::voxel_of(window, i);
+    const VoxelIndex v = window.voxel(i);
     const std::size_t slot = filter.log_odds.index().slot(v);
     filter.particles.set_velocity(slot, 1, CommonVelocity({v.y() < 0 ? 30.0F : 0.0F, 0, 0}));
   }

@@ -1,5 +1,5 @@
 /// Where rays end in the map, against the same in double precision.
-#include "ldm/ray_ends.h"
+#include "ldm/measurement_flags.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 
 #include "tests/ldm/random_inputs.h"
 #include "tests/reference/ray_oracle.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -16,7 +15,7 @@ const Eigen::Vector3f kSensor{2.5F, 2.5F, 2.5F};
 const Eigen::Vector3i kSize{5, 5, 5};
 
 VoxelIndex voxel_of(std::size_t index, const Eigen::Vector3i& size) {
-  return reference::voxel_of({VoxelIndex::Zero(), size}, index);
+  return VoxelBox{VoxelIndex::Zero(), size}.voxel(index);
 }
 
 /// The end of one ray; its scale is one voxel a metre.

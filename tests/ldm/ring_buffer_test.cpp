@@ -6,12 +6,9 @@
 
 #include "tests/ldm/random_inputs.h"
 #include "tests/reference/dense_grid.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
-
-using reference::for_each_voxel;
 
 std::size_t modulo(int v, int n) {
   return static_cast<std::size_t>(((v % n) + n) % n);
@@ -105,7 +102,7 @@ TEST(RingIndexTest, TellsEachEnteringVoxelOnce) {
                      [&](std::size_t first, std::size_t count) {
                        for (std::size_t s = first; s < first + count; ++s) ++entered.at(s);
                      });
-      for_each_voxel(index.window(), [&](const VoxelIndex& v) {
+      for_each_voxel(index.window(), [&](const VoxelIndex& v, std::size_t) {
         ASSERT_EQ(entered[index.slot(v)], before.contains(v) ? 0 : 1) << v.transpose();
       });
     }
@@ -146,7 +143,7 @@ void compare_on_walk(const Eigen::Vector3i& n, Random& random) {
     dense.recenter(centre);
     ASSERT_EQ(ring.index().window().origin, dense.window().origin);
     for_each_voxel(ring.index().window(),
-                   [&](const VoxelIndex& v) { ASSERT_EQ(ring.at(v), dense.at(v)); });
+                   [&](const VoxelIndex& v, std::size_t) { ASSERT_EQ(ring.at(v), dense.at(v)); });
     for (int i = 0; i < 100; ++i) {
       const VoxelIndex v = random_voxel(ring.index().window(), random);
       ring.at(v) = dense.at(v) = value++;

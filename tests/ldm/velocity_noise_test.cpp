@@ -1,5 +1,5 @@
 /// Draws of the noise of eq. (4).
-#include "ldm/velocity_noise.h"
+#include "ldm/particle_motion.h"
 
 #include <gtest/gtest.h>
 

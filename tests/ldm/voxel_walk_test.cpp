@@ -1,5 +1,5 @@
 /// The walk from voxel to voxel against brute force: each voxel is tested against the ray.
-#include "ldm/voxel_walk.h"
+#include "ldm/rays.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 
 #include "tests/ldm/random_inputs.h"
 #include "tests/reference/ray_oracle.h"
-#include "tests/reference/voxel_boxes.h"
 
 namespace ldm {
 namespace {
@@ -83,10 +82,10 @@ TEST(VoxelWalkTest, VisitsTheVoxelsThatTheRayCrosses) {
       reference::Ray ray{origin.cast<double>(), direction.cast<double>(), 0, 1e12};
       ray.end = reference::passage(ray, {0, 0, 0}, size.cast<double>())->leave;
       const auto left = walked(origin, direction, static_cast<float>(ray.end), size);
-      reference::for_each_voxel(box, [&](const VoxelIndex& v) {
+      for_each_voxel(box, [&](const VoxelIndex& v, std::size_t i) {
         const auto crossing = reference::crossing(ray, v, kTolerance);
         if (crossing == reference::Crossing::kGrazed) return;
-        const auto visited = left.find(box.index(v));
+        const auto visited = left.find(i);
         ASSERT_EQ(visited != left.end(), crossing == reference::Crossing::kCrossed)
             << v.transpose() << " of " << size.transpose() << ", trial " << trial;
         if (visited == left.end()) return;

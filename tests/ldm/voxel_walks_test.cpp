@@ -1,5 +1,5 @@
 /// Walks side by side against walks on their own.
-#include "ldm/voxel_walks.h"
+#include "ldm/rays.h"
 
 #include <gtest/gtest.h>
 

@@ -44,22 +44,22 @@ class LanesTest : public testing::Test {
 TEST_F(LanesTest, InstructionsDoWhatTheirPlainFormsSay) {
   for (int trial = 0; trial < 20000; ++trial) {
     draw();
-    ASSERT_TRUE(same(saturating_sum(a_, b_), plain::saturating_sum(a_, b_)));
-    ASSERT_TRUE(same(rounded_product(a_, b_), plain::rounded_product(a_, b_)));
-    ASSERT_TRUE(same(sum_of_products(a_, b_), plain::sum_of_products(a_, b_)));
+    ASSERT_TRUE(same(saturating_sum(a_, b_), portable::saturating_sum(a_, b_)));
+    ASSERT_TRUE(same(rounded_product(a_, b_), portable::rounded_product(a_, b_)));
+    ASSERT_TRUE(same(sum_of_products(a_, b_), portable::sum_of_products(a_, b_)));
   }
 }
 
 TEST_F(LanesTest, PlainFormsAreRightForKnownNumbers) {
   a_ = Int16x8{kHighest, kLowest, 1, 3, -3, 5, kHighest, kLowest};
   b_ = Int16x8{1, -1, 16384, 16384, 16384, 7, kHighest, kHighest};
-  const Int16x8 sum = plain::saturating_sum(a_, b_);
+  const Int16x8 sum = portable::saturating_sum(a_, b_);
   const Int16x8 expected_sum{kHighest, kLowest, 16385, 16387, 16381, 12, kHighest, -1};
   EXPECT_TRUE(same(sum, expected_sum));
-  const Int16x8 product = plain::rounded_product(a_, b_);
+  const Int16x8 product = portable::rounded_product(a_, b_);
   const Int16x8 expected_product{1, 1, 1, 2, -1, 0, 32766, -32767};  // ties up: 0.5, 1.5, -1.5
   EXPECT_TRUE(same(product, expected_product));
-  const Int32x4 products = plain::sum_of_products(a_, b_);
+  const Int32x4 products = portable::sum_of_products(a_, b_);
   const Int32x4 expected{65535, 65536, -49117, -32767};
   EXPECT_TRUE(same(products, expected));
 }

@@ -4,7 +4,7 @@
 
 #include "ldm/types.h"
 
-namespace reference {
+namespace ldm::plain {
 
 /// What one scan says of a voxel.
 struct VoxelFlag {
@@ -19,7 +19,7 @@ struct VoxelFlag {
 /// the map: free before the voxel, shadow behind it. Each voxel in which a ray leaves the map (a
 /// return beyond it or, if `use_no_returns`, a ray without a return) gets a free ray of its own.
 /// A hit beats a crossing, a crossing beats a shadow.
-std::vector<VoxelFlag> flag_voxels(const ldm::Scan& scan, const ldm::VoxelBox& window,
-                                   double resolution, bool use_no_returns);
+std::vector<VoxelFlag> flag_voxels(const Scan& scan, const VoxelBox& window, double resolution,
+                                   bool use_no_returns);
 
-}  // namespace reference
+}  // namespace ldm::plain

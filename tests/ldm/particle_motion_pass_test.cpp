@@ -1,5 +1,5 @@
 /// The two ways through the particles that predict them: the same bits.
-#include "ldm/prediction_pass.h"
+#include "ldm/particle_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -74,20 +74,20 @@ class PredictionPassTest : public testing::TestWithParam<Eigen::Vector3i> {
 TEST_P(PredictionPassTest, FoursAndPairsAreTheSameBits) {
   for (const double voxels_per_mps : {0., 1e-5, 0.01, 0.6667, 6.7, 300.}) {
     const Predicted pairs =
-        predicted(voxels_per_mps, [](const PredictionPass& pass) { pass.run_pairs(2, 3990); });
+        predicted(voxels_per_mps, [](const PredictionPass& pass) { pass.move_pairs(2, 3990); });
     const Predicted fours = predicted(voxels_per_mps, [](const PredictionPass& pass) {
-      const std::size_t next = pass.run_fours(2, 3989);
+      const std::size_t next = pass.move_fours(2, 3989);
       EXPECT_EQ(next, has_avx2() ? 3986u : 2u);
-      pass.run_pairs(next, 3989);
+      pass.move_pairs(next, 3989);
     });
     EXPECT_TRUE(fours == pairs) << voxels_per_mps;
   }
 }
 
-TEST_P(PredictionPassTest, RunsThroughAnyStretchAsInPairs) {
+TEST_P(PredictionPassTest, MovesAnyStretchAsInPairs) {
   for (std::size_t end = 0; end < 12; ++end) {
-    const auto in_pairs = [&](const PredictionPass& pass) { pass.run_pairs(0, end); };
-    const auto as_a_whole = [&](const PredictionPass& pass) { pass.run(0, end); };
+    const auto in_pairs = [&](const PredictionPass& pass) { pass.move_pairs(0, end); };
+    const auto as_a_whole = [&](const PredictionPass& pass) { pass.move(0, end); };
     EXPECT_TRUE(predicted(0.6667, as_a_whole) == predicted(0.6667, in_pairs)) << end;
   }
 }

@@ -1,9 +1,10 @@
-#include "ldm/ray_ends.h"
+#include "ldm/rays.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "ldm/machine/processor.h"
+#include "ldm/measurement_flags.h"
 
 namespace ldm {
 namespace {
@@ -17,7 +18,7 @@ std::int32_t cell(float x, float size) {
 
 }  // namespace
 
-LDM_TWICE void RayEnds::find(std::span<const Point> rays, bool for_ever) {
+LDM_TARGET_CLONES void RayEnds::find(std::span<const Point> rays, bool for_ever) {
   const float reach = for_ever ? kNever : 1;
   const Eigen::Array3f size = size_.cast<float>();
   const Eigen::Array3f per_high = 1 / (size - sensor_.array());
@@ -26,9 +27,9 @@ LDM_TWICE void RayEnds::find(std::span<const Point> rays, bool for_ever) {
     const float x = rays[i].x();
     const float y = rays[i].y();
     const float z = rays[i].z();
-    const float dx = turn_(0, 0) * x + turn_(0, 1) * y + turn_(0, 2) * z;
-    const float dy = turn_(1, 0) * x + turn_(1, 1) * y + turn_(1, 2) * z;
-    const float dz = turn_(2, 0) * x + turn_(2, 1) * y + turn_(2, 2) * z;
+    const float dx = R_box_sensor_(0, 0) * x + R_box_sensor_(0, 1) * y + R_box_sensor_(0, 2) * z;
+    const float dy = R_box_sensor_(1, 0) * x + R_box_sensor_(1, 1) * y + R_box_sensor_(1, 2) * z;
+    const float dz = R_box_sensor_(2, 0) * x + R_box_sensor_(2, 1) * y + R_box_sensor_(2, 2) * z;
     // The wall that is reached first is the one of the largest 1/t: one division instead of three.
     // Beside a wall 1/t may be infinite, or not a number, which std::max passes over as its second.
     const float to_x = std::max(dx * per_high.x(), dx * per_low.x());

@@ -1,14 +1,13 @@
-#include "tests/reference/plain_flags.h"
+#include "ldm/plain/measurement_flags.h"
 
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "tests/reference/ray_oracle.h"
-#include "tests/reference/voxel_boxes.h"
+#include "ldm/plain/ray.h"
 
-namespace reference {
+namespace ldm::plain {
 namespace {
 
 using Kind = VoxelFlag::Kind;
@@ -19,7 +18,7 @@ class FlagGrid {
  public:
   FlagGrid(const Eigen::Vector3d& sensor, const Eigen::Vector3i& size, double resolution)
       : sensor_(sensor),
-        box_{ldm::VoxelIndex::Zero(), size},
+        box_{VoxelIndex::Zero(), size},
         resolution_(resolution),
         flags_(box_.count()) {}
 
@@ -40,8 +39,8 @@ class FlagGrid {
   /// Casts one ray to each voxel flagged so far.
   std::vector<VoxelFlag> cast_all() {
     const std::vector<VoxelFlag> ends = flags_;
-    for_each_voxel(box_, [&](const ldm::VoxelIndex& voxel) {
-      const Kind kind = ends[box_.index(voxel)].kind;
+    for_each_voxel(box_, [&](const VoxelIndex& voxel, std::size_t i) {
+      const Kind kind = ends[i].kind;
       if (kind != Kind::kNone) cast(voxel, kind == Kind::kOccupied);
     });
     return std::move(flags_);
@@ -60,18 +59,18 @@ class FlagGrid {
     if (flag.kind != Kind::kOccupied) flag.kind = Kind::kFree;
   }
 
-  ldm::VoxelIndex voxel_at(const Eigen::Vector3d& direction, double t) const {
+  VoxelIndex voxel_at(const Eigen::Vector3d& direction, double t) const {
     const Eigen::Vector3d p = sensor_ + t * direction;
     return p.array().floor().cast<int>().max(0).min(box_.size.array() - 1);
   }
 
   /// Walks from voxel to voxel, always through the wall that is met first (Amanatides and Woo).
-  void cast(const ldm::VoxelIndex& end, bool hit) {
+  void cast(const VoxelIndex& end, bool hit) {
     const Eigen::Vector3d direction = ray_to_centre(sensor_, end).direction;
     const auto inside = through_map({sensor_, direction, 0, kInfinity});
     if (!inside || inside->leave == kInfinity) return;  // the sensor sits in the centre of `end`
     double entered = inside->enter;
-    for (ldm::VoxelIndex voxel = voxel_at(direction, entered); box_.contains(voxel);) {
+    for (VoxelIndex voxel = voxel_at(direction, entered); box_.contains(voxel);) {
       const auto [wall, left] = next_wall(direction, voxel);
       if (left < 1) {
         mark_free(voxel);
@@ -88,7 +87,7 @@ class FlagGrid {
     int axis;
     double t;
   };
-  Wall next_wall(const Eigen::Vector3d& direction, const ldm::VoxelIndex& voxel) const {
+  Wall next_wall(const Eigen::Vector3d& direction, const VoxelIndex& voxel) const {
     Wall next{0, kInfinity};
     for (int axis = 0; axis < 3; ++axis) {
       if (direction[axis] == 0) continue;
@@ -99,11 +98,11 @@ class FlagGrid {
     return next;
   }
 
-  void mark_free(const ldm::VoxelIndex& voxel) {
+  void mark_free(const VoxelIndex& voxel) {
     VoxelFlag& flag = flags_[box_.index(voxel)];
     if (flag.kind != Kind::kOccupied) flag.kind = Kind::kFree;
   }
-  void mark_shadow(const ldm::VoxelIndex& voxel, double behind) {
+  void mark_shadow(const VoxelIndex& voxel, double behind) {
     VoxelFlag& flag = flags_[box_.index(voxel)];
     if (flag.kind == Kind::kNone || (flag.kind == Kind::kShadow && behind < flag.behind)) {
       flag = {Kind::kShadow, behind};
@@ -111,26 +110,26 @@ class FlagGrid {
   }
 
   Eigen::Vector3d sensor_;
-  ldm::VoxelBox box_;
+  VoxelBox box_;
   double resolution_;
   std::vector<VoxelFlag> flags_;
 };
 
 }  // namespace
 
-std::vector<VoxelFlag> flag_voxels(const ldm::Scan& scan, const ldm::VoxelBox& window,
-                                   double resolution, bool use_no_returns) {
-  const ldm::Pose& sensor = scan.T_world_sensor;
+std::vector<VoxelFlag> flag_voxels(const Scan& scan, const VoxelBox& window, double resolution,
+                                   bool use_no_returns) {
+  const Pose& sensor = scan.T_world_sensor;
   FlagGrid grid(sensor.translation / resolution - window.origin.cast<double>(), window.size,
                 resolution);
-  const auto in_voxels = [&](const ldm::Point& p) -> Eigen::Vector3d {
+  const auto in_voxels = [&](const Point& p) -> Eigen::Vector3d {
     return sensor.rotation * p.cast<double>() / resolution;
   };
-  for (const ldm::Point& p : scan.points) grid.add_return(in_voxels(p));
+  for (const Point& p : scan.points) grid.add_return(in_voxels(p));
   if (use_no_returns) {
-    for (const ldm::Point& direction : scan.no_returns) grid.add_no_return(in_voxels(direction));
+    for (const Point& direction : scan.no_returns) grid.add_no_return(in_voxels(direction));
   }
   return grid.cast_all();
 }
 
-}  // namespace reference
+}  // namespace ldm::plain

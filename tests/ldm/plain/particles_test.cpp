@@ -1,14 +1,14 @@
-#include "tests/reference/plain_particles.h"
+#include "ldm/plain/particles.h"
 
 #include <gtest/gtest.h>
 
-namespace reference {
+namespace ldm::plain {
 namespace {
 
-const ldm::VoxelBox kWindow{{-2, -2, -2}, {5, 5, 5}};
+const VoxelBox kWindow{{-2, -2, -2}, {5, 5, 5}};
 
-ldm::Parameters small_parameters() {
-  ldm::Parameters parameters;
+Parameters small_parameters() {
+  Parameters parameters;
   parameters.map.voxels = kWindow.size;
   parameters.particles.count = 5000;
   return parameters;
@@ -18,7 +18,7 @@ ldm::Parameters small_parameters() {
 const std::vector<int> kOneCluster(kWindow.count(), 0);
 
 TEST(PlainParticles, StartsEvenlyWithZeroMeanVelocity) {
-  PlainParticles particles(small_parameters());
+  Particles particles(small_parameters());
   EXPECT_TRUE(particles.empty());
   particles.scatter(kWindow);
   EXPECT_EQ(particles.size(), 5000U);
@@ -29,7 +29,7 @@ TEST(PlainParticles, StartsEvenlyWithZeroMeanVelocity) {
 }
 
 TEST(PlainParticles, ThoseThatLeaveAreRemovedAndResamplingRestoresTheNumber) {
-  PlainParticles particles(small_parameters());
+  Particles particles(small_parameters());
   particles.scatter(kWindow);
   particles.predict(0.5);
   particles.remove_outside(kWindow);
@@ -41,22 +41,22 @@ TEST(PlainParticles, ThoseThatLeaveAreRemovedAndResamplingRestoresTheNumber) {
 }
 
 TEST(PlainParticles, OccupiedVoxelsDrawParticles) {
-  PlainParticles particles(small_parameters());
+  Particles particles(small_parameters());
   particles.scatter(kWindow);
   std::vector<double> log_odds(kWindow.count(), -2);  // P = 0.119
   log_odds[0] = 3.5;                                  // P = 0.971
   particles.update(kWindow, log_odds);
   particles.resample();
-  ldm::VoxelBox corner{kWindow.origin, {1, 1, 1}};
+  VoxelBox corner{kWindow.origin, {1, 1, 1}};
   particles.remove_outside(corner);
   // 0.971 of 0.971 + 124 * 0.119: 308 of 5000.
   EXPECT_NEAR(static_cast<double>(particles.size()), 308, 90);
 }
 
 TEST(PlainParticles, BirthFillsAnOccupiedVoxelUp) {
-  ldm::Parameters parameters = small_parameters();
+  Parameters parameters = small_parameters();
   parameters.particles.count = 1;
-  PlainParticles particles(parameters);
+  Particles particles(parameters);
   particles.scatter({{2, 2, 2}, {1, 1, 1}});
   std::vector<double> log_odds(kWindow.count(), -2);
   log_odds[0] = 3.5;
@@ -67,7 +67,7 @@ TEST(PlainParticles, BirthFillsAnOccupiedVoxelUp) {
 }
 
 TEST(PlainParticles, ReadjustmentGivesAllTheSameVelocity) {
-  PlainParticles particles(small_parameters());
+  Particles particles(small_parameters());
   particles.scatter(kWindow);
   particles.readjust(kWindow, kOneCluster, {{1, 2, 3}});
   EXPECT_NEAR(
@@ -76,9 +76,9 @@ TEST(PlainParticles, ReadjustmentGivesAllTheSameVelocity) {
 }
 
 TEST(PlainParticles, AClusterWithoutParticlesStandsStill) {
-  const PlainParticles particles(small_parameters());
+  const Particles particles(small_parameters());
   EXPECT_EQ(particles.cluster_velocities(kWindow, kOneCluster, 1)[0], Eigen::Vector3d::Zero());
 }
 
 }  // namespace
-}  // namespace reference
+}  // namespace ldm::plain

@@ -1,6 +1,6 @@
 #pragma once
-/// OctoMap as its users call it: what the baseline in baselines/octomap.h must equal, and what its
-/// speed is measured by. Needs liboctomap.
+/// OctoMap as its users call it: what Octomap (baselines/octomap.h) must equal, and what its speed
+/// is measured by. Needs liboctomap.
 #include <octomap/OcTree.h>
 #include <octomap/Pointcloud.h>
 
@@ -8,7 +8,7 @@
 #include "ldm/mapper.h"
 #include "ldm/parameters.h"
 
-namespace reference {
+namespace baselines {
 
 /// Each scan in one call of insertPointCloud, with its defaults, rays limited to half the diagonal
 /// of the window; those without a return are points beyond that limit.
@@ -46,17 +46,12 @@ class LibOctomap final : public ldm::Mapper {
     map.window = window_;
     map.resolution = tree_.getResolution();
     map.occupancy.clear();
-    const ldm::VoxelIndex end = window_.origin + size_;
-    for (int z = window_.origin.z(); z < end.z(); ++z) {
-      for (int y = window_.origin.y(); y < end.y(); ++y) {
-        for (int x = window_.origin.x(); x < end.x(); ++x) {
-          const Eigen::Vector3d middle = (Eigen::Array3d(x, y, z) + 0.5) * tree_.getResolution();
-          const octomap::OcTreeNode* const leaf = tree_.search(to_octomap(middle));
-          map.occupancy.push_back(leaf == nullptr ? 0.5F
-                                                  : static_cast<float>(leaf->getOccupancy()));
-        }
-      }
-    }
+    for_each_voxel(window_, [&](const ldm::VoxelIndex& v, std::size_t) {
+      const Eigen::Vector3d middle = (v.cast<double>().array() + 0.5) * tree_.getResolution();
+      const octomap::OcTreeNode* const leaf = tree_.search(to_octomap(middle));
+      map.occupancy.push_back(leaf == nullptr ? ldm::kUnknown
+                                              : static_cast<float>(leaf->getOccupancy()));
+    });
   }
 
  private:
@@ -71,4 +66,4 @@ class LibOctomap final : public ldm::Mapper {
   ldm::VoxelBox window_;
 };
 
-}  // namespace reference
+}  // namespace baselines

@@ -1,21 +1,20 @@
-#include "tests/reference/plain_ldm.h"
+#include "ldm/plain/local_dynamic_map.h"
 
 #include <algorithm>
 #include <map>
 
+#include "ldm/plain/log_odds.h"
 #include "ldm/scan_check.h"
-#include "tests/reference/plain_log_odds.h"
-#include "tests/reference/voxel_boxes.h"
 
-namespace reference {
+namespace ldm::plain {
 namespace {
 
 /// The grid after its window moved: voxels that stay keep their value, new ones get `empty`.
 template <class Cell>
-std::vector<Cell> moved(const std::vector<Cell>& grid, const ldm::VoxelBox& from,
-                        const ldm::VoxelBox& to, Cell empty) {
+std::vector<Cell> moved(const std::vector<Cell>& grid, const VoxelBox& from, const VoxelBox& to,
+                        Cell empty) {
   std::vector<Cell> result;
-  for_each_voxel(to, [&](const ldm::VoxelIndex& v) {
+  for_each_voxel(to, [&](const VoxelIndex& v, std::size_t) {
     result.push_back(from.contains(v) ? grid[from.index(v)] : empty);
   });
   return result;
@@ -23,22 +22,22 @@ std::vector<Cell> moved(const std::vector<Cell>& grid, const ldm::VoxelBox& from
 
 }  // namespace
 
-PlainLdm::PlainLdm(const ldm::Parameters& parameters)
-    : parameters_(ldm::checked(parameters)),
+LocalDynamicMap::LocalDynamicMap(const Parameters& parameters)
+    : parameters_(checked(parameters)),
       window_{-parameters.map.voxels / 2, parameters.map.voxels},
       log_odds_(window_.count(), 0),
-      labels_(window_.count(), kNobody),
+      labels_(window_.count(), kNoCluster),
       particles_(parameters) {
-  const ldm::SubVoxelMotion motion = parameters.prediction.sub_voxel;
-  if (motion != ldm::SubVoxelMotion::kResidual && motion != ldm::SubVoxelMotion::kNone) {
-    throw ldm::InvalidInput(
-        "prediction.sub_voxel = " + ldm::get_parameter(parameters, "prediction.sub_voxel") +
+  const SubVoxelMotion motion = parameters.prediction.sub_voxel;
+  if (motion != SubVoxelMotion::kResidual && motion != SubVoxelMotion::kNone) {
+    throw InvalidInput(
+        "prediction.sub_voxel = " + get_parameter(parameters, "prediction.sub_voxel") +
         ": allowed here: residual, none");
   }
 }
 
-void PlainLdm::update(const ldm::Scan& scan, ldm::StageListener* listener) {
-  ldm::check_scan(scan, time_);
+void LocalDynamicMap::update(const Scan& scan, StageListener* listener) {
+  check_scan(scan, time_);
   const auto begin = [&](std::string_view stage) {
     if (listener != nullptr) listener->begin(stage);
   };
@@ -51,12 +50,12 @@ void PlainLdm::update(const ldm::Scan& scan, ldm::StageListener* listener) {
   particles_.predict(dt);
   particles_.remove_outside(window_);
   begin("movement_update");
-  update_movement(ldm::voxel_at(scan.T_world_uav.translation, parameters_.map.resolution));
+  update_movement(voxel_at(scan.T_world_uav.translation, parameters_.map.resolution));
   particles_.remove_outside(window_);
   begin("measurement_flags");
   const std::vector<VoxelFlag> flags =
       flag_voxels(scan, window_, parameters_.map.resolution,
-                  parameters_.sensor_model.no_returns == ldm::NoReturnRays::kFree);
+                  parameters_.sensor_model.no_returns == NoReturnRays::kFree);
   begin("occupancy_update");
   update_occupancy(flags);
   begin("particle_update");
@@ -71,12 +70,12 @@ void PlainLdm::update(const ldm::Scan& scan, ldm::StageListener* listener) {
 // Sec. 3.2 ----------------------------------------------------------------------------------------
 
 /// By how many whole voxels each cluster moves; what is left over is carried on.
-std::vector<Eigen::Vector3i> PlainLdm::plan_steps(double dt) {
+std::vector<Eigen::Vector3i> LocalDynamicMap::plan_steps(double dt) {
   std::vector<Eigen::Vector3i> steps;
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     const Eigen::Vector3d v = clusters_[c].velocity.cast<double>();
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
-    if (parameters_.prediction.sub_voxel == ldm::SubVoxelMotion::kResidual &&
+    if (parameters_.prediction.sub_voxel == SubVoxelMotion::kResidual &&
         v.norm() >= parameters_.prediction.min_speed) {
       displacement = rests_[c] + v * dt / parameters_.map.resolution;
     }
@@ -88,16 +87,16 @@ std::vector<Eigen::Vector3i> PlainLdm::plan_steps(double dt) {
 }
 
 /// Fig. 3: the occupancy of each cluster moves with it.
-void PlainLdm::predict_occupancy(double dt) {
+void LocalDynamicMap::predict_occupancy(double dt) {
   const std::vector<Eigen::Vector3i> steps = plan_steps(dt);
   std::vector<double> predicted = log_odds_;
-  predicted_labels_.assign(labels_.size(), kNobody);
+  predicted_labels_.assign(labels_.size(), kNoCluster);
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (labels_[i] != kNobody) predicted[i] = 0;
+    if (labels_[i] != kNoCluster) predicted[i] = 0;
   }
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (labels_[i] == kNobody) continue;
-    const ldm::VoxelIndex to = voxel_of(window_, i) + steps[static_cast<std::size_t>(labels_[i])];
+    if (labels_[i] == kNoCluster) continue;
+    const VoxelIndex to = window_.voxel(i) + steps[static_cast<std::size_t>(labels_[i])];
     if (!window_.contains(to)) continue;
     const std::size_t j = window_.index(to);
     predicted[j] = std::max(predicted[j], log_odds_[i]);
@@ -108,78 +107,81 @@ void PlainLdm::predict_occupancy(double dt) {
 
 // Sec. 3.3 ----------------------------------------------------------------------------------------
 
-void PlainLdm::update_movement(const ldm::VoxelIndex& uav) {
-  const ldm::VoxelBox before = window_;
-  window_.origin = uav - window_.size / 2;
+void LocalDynamicMap::update_movement(const VoxelIndex& uav) {
+  const VoxelBox before = window_;
+  window_.origin = uav - window_.size / 2;  // moves by X_k - X_{k-1}, as the UAV does.  Eq. (6)
   log_odds_ = moved(log_odds_, before, window_, 0.0);
-  predicted_labels_ = moved(predicted_labels_, before, window_, kNobody);
+  predicted_labels_ = moved(predicted_labels_, before, window_, kNoCluster);
 }
 
-/// See eq. 8 to 10.
-void PlainLdm::update_occupancy(const std::vector<VoxelFlag>& flags) {
+void LocalDynamicMap::update_occupancy(const std::vector<VoxelFlag>& flags) {
   using Kind = VoxelFlag::Kind;
-  const ldm::SensorModelParameters& sensor = parameters_.sensor_model;
-  const ldm::SurvivalParameters& survival = parameters_.survival;
+  const SensorModelParameters& sensor = parameters_.sensor_model;
+  const SurvivalParameters& survival = parameters_.survival;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     double& l = log_odds_[i];
     if (flags[i].kind == Kind::kOccupied || flags[i].kind == Kind::kFree) {
       const double p = flags[i].kind == Kind::kOccupied ? sensor.p_occ : sensor.p_free;
-      l = std::clamp(l + to_log_odds(p), sensor.log_odds_min, sensor.log_odds_max);
+      const double l_z = log_odds(p);  // l(z) = log(p / (1 - p)).  Eq. (9)
+      // l_k = l_{k-1} + l(z), within the clamps.  Eq. (8)
+      l = std::clamp(l + l_z, sensor.log_odds_min, sensor.log_odds_max);
     } else if (!survival.enabled || was_static(i)) {
       continue;
-    } else if (flags[i].kind == Kind::kShadow) {
-      l *= survival.shadow * std::min(1.0, survival.shadow_range / flags[i].behind);
     } else {
-      l *= survival.outside_view;
+      double p_s = survival.outside_view;
+      if (flags[i].kind == Kind::kShadow) {
+        p_s = survival.shadow * std::min(1.0, survival.shadow_range / flags[i].behind);
+      }
+      l *= p_s;  // l_k = l_{k-1} P_s.  Eq. (10)
     }
   }
 }
 
-bool PlainLdm::was_static(std::size_t index) const {
+bool LocalDynamicMap::was_static(std::size_t index) const {
   const int c = predicted_labels_[index];
-  return c != kNobody && !clusters_[static_cast<std::size_t>(c)].dynamic;
+  return c != kNoCluster && !clusters_[static_cast<std::size_t>(c)].dynamic;
 }
 
-bool PlainLdm::is_occupied(std::size_t index) const {
-  return to_probability(log_odds_[index]) > parameters_.clusters.occupied_above;
+bool LocalDynamicMap::is_occupied(std::size_t index) const {
+  return probability(log_odds_[index]) > parameters_.clusters.occupied_above;
 }
 
 // Sec. 3.5 ----------------------------------------------------------------------------------------
 
-void PlainLdm::cluster() {
-  labels_.assign(labels_.size(), kNobody);
+void LocalDynamicMap::cluster() {
+  labels_.assign(labels_.size(), kNoCluster);
   clusters_.clear();
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (labels_[i] == kNobody && is_occupied(i)) collect_cluster(i);
+    if (labels_[i] == kNoCluster && is_occupied(i)) collect_cluster(i);
   }
   inherit_rests();
   estimate_velocities();
 }
 
 /// Flood fill over the 26-neighbourhood.
-void PlainLdm::collect_cluster(std::size_t first_voxel) {
+void LocalDynamicMap::collect_cluster(std::size_t first_voxel) {
   const auto label = static_cast<int>(clusters_.size());
-  ldm::VoxelIndex low = voxel_of(window_, first_voxel);
-  ldm::VoxelIndex high = low;
+  VoxelIndex low = window_.voxel(first_voxel);
+  VoxelIndex high = low;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   std::vector<std::size_t> members{first_voxel};
   labels_[first_voxel] = label;
   for (std::size_t m = 0; m < members.size(); ++m) {
-    const ldm::VoxelIndex voxel = voxel_of(window_, members[m]);
+    const VoxelIndex voxel = window_.voxel(members[m]);
     low = low.cwiseMin(voxel);
     high = high.cwiseMax(voxel);
     sum += (voxel.cast<double>().array() + 0.5).matrix();
-    const ldm::VoxelBox neighbours{voxel.array() - 1, Eigen::Vector3i::Constant(3)};
-    for_each_voxel(neighbours, [&](const ldm::VoxelIndex& next) {
+    const VoxelBox neighbours{voxel.array() - 1, Eigen::Vector3i::Constant(3)};
+    for_each_voxel(neighbours, [&](const VoxelIndex& next, std::size_t) {
       if (!window_.contains(next)) return;
       const std::size_t i = window_.index(next);
-      if (labels_[i] != kNobody || !is_occupied(i)) return;
+      if (labels_[i] != kNoCluster || !is_occupied(i)) return;
       labels_[i] = label;
       members.push_back(i);
     });
   }
   const double resolution = parameters_.map.resolution;
-  ldm::Cluster found;
+  Cluster found;
   found.voxels = static_cast<std::int32_t>(members.size());
   found.position = (sum / found.voxels * resolution).cast<float>();
   found.size = ((high - low).cast<double>().array() + 1).matrix().cast<float>() *
@@ -188,10 +190,10 @@ void PlainLdm::collect_cluster(std::size_t first_voxel) {
 }
 
 /// A cluster takes over the rest of the predicted cluster with which it shares most voxels.
-void PlainLdm::inherit_rests() {
+void LocalDynamicMap::inherit_rests() {
   std::vector<std::map<int, int>> shared(clusters_.size());  // predicted cluster -> voxels
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (labels_[i] == kNobody || predicted_labels_[i] == kNobody) continue;
+    if (labels_[i] == kNoCluster || predicted_labels_[i] == kNoCluster) continue;
     ++shared[static_cast<std::size_t>(labels_[i])][predicted_labels_[i]];
   }
   std::vector<Eigen::Vector3d> inherited(clusters_.size(), Eigen::Vector3d::Zero());
@@ -203,8 +205,7 @@ void PlainLdm::inherit_rests() {
   rests_ = inherited;
 }
 
-/// See eq. 16 and 17.
-void PlainLdm::estimate_velocities() {
+void LocalDynamicMap::estimate_velocities() {
   const std::vector<Eigen::Vector3d> velocities =
       particles_.cluster_velocities(window_, labels_, clusters_.size());
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
@@ -214,13 +215,13 @@ void PlainLdm::estimate_velocities() {
   if (parameters_.clusters.readjust) particles_.readjust(window_, labels_, velocities);
 }
 
-void PlainLdm::read(ldm::LocalMap& map) const {
+void LocalDynamicMap::read(LocalMap& map) const {
   map.window = window_;
   map.resolution = parameters_.map.resolution;
   map.occupancy.clear();
-  for (const double l : log_odds_) map.occupancy.push_back(static_cast<float>(to_probability(l)));
+  for (const double l : log_odds_) map.occupancy.push_back(static_cast<float>(probability(l)));
   map.labels.assign(labels_.begin(), labels_.end());
   map.clusters = clusters_;
 }
 
-}  // namespace reference
+}  // namespace ldm::plain

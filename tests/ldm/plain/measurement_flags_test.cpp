@@ -1,4 +1,4 @@
-#include "tests/reference/plain_flags.h"
+#include "ldm/plain/measurement_flags.h"
 
 #include <gtest/gtest.h>
 
@@ -8,20 +8,21 @@
 
 #include "tests/reference/ray_oracle.h"
 #include "tests/reference/scan_of_boxes.h"
-#include "tests/reference/voxel_boxes.h"
 
-namespace reference {
+namespace ldm::plain {
 namespace {
 
+using reference::Crossing;
+using reference::crossing;
+using reference::scan_at;
 using Kind = VoxelFlag::Kind;
 
 constexpr double kResolution = 0.5;
-const ldm::VoxelBox kWindow{{-4, -4, -4}, {9, 9, 9}};
+const VoxelBox kWindow{{-4, -4, -4}, {9, 9, 9}};
 const Eigen::Vector3d kSensor(0.25, 0.25, 0.25);  // centre of voxel 0
 
-ldm::Scan scan_of(const std::vector<ldm::Point>& points,
-                  const std::vector<ldm::Point>& no_returns = {}) {
-  ldm::Scan scan = scan_at(0, kSensor);
+Scan scan_of(const std::vector<Point>& points, const std::vector<Point>& no_returns = {}) {
+  Scan scan = scan_at(0, kSensor);
   scan.points = points;
   scan.no_returns = no_returns;
   return scan;
@@ -59,13 +60,13 @@ TEST(PlainFlags, ReturnsBeyondTheMapClearTheWayToTheBorder) {
 }
 
 TEST(PlainFlags, RaysWithoutAReturnAreFreeOrDropped) {
-  const ldm::Scan scan = scan_of({}, {{1, 0, 0}});
+  const Scan scan = scan_of({}, {{1, 0, 0}});
   EXPECT_EQ(row(flag_voxels(scan, kWindow, kResolution, true), -1), "-FFFFF");
   EXPECT_EQ(row(flag_voxels(scan, kWindow, kResolution, false), -1), "------");
 }
 
 TEST(PlainFlags, ASensorOutsideTheMapSeesIntoIt) {
-  ldm::Scan scan = scan_of({{5.5F, 0, 0}});
+  Scan scan = scan_of({{5.5F, 0, 0}});
   scan.T_world_sensor.translation.x() = -4.75;
   EXPECT_EQ(row(flag_voxels(scan, kWindow, kResolution, true), -4), "FFFFFOSSS");
   scan.points = {{1.5F, 0, 0}};  // before the map
@@ -84,15 +85,14 @@ struct Verdict {
   bool maybe_shadow = false;
 };
 
-std::vector<Verdict> judge(const Eigen::Vector3d& sensor,
-                           const std::vector<ldm::VoxelIndex>& hits) {
+std::vector<Verdict> judge(const Eigen::Vector3d& sensor, const std::vector<VoxelIndex>& hits) {
   std::vector<Verdict> verdicts(kWindow.count());
-  for (const ldm::VoxelIndex& hit : hits) {
+  for (const VoxelIndex& hit : hits) {
     const Ray before = ray_to_centre(sensor / kResolution, hit);
-    const Ray behind = ray_behind(sensor / kResolution, hit);
-    for_each_voxel(kWindow, [&](const ldm::VoxelIndex& v) {
+    const Ray behind = reference::ray_behind(sensor / kResolution, hit);
+    for_each_voxel(kWindow, [&](const VoxelIndex& v, std::size_t i) {
       if (v == hit) return;
-      Verdict& verdict = verdicts[kWindow.index(v)];
+      Verdict& verdict = verdicts[i];
       verdict.surely_free |= crossing(before, v) == Crossing::kCrossed;
       verdict.maybe_free |= crossing(before, v) != Crossing::kMissed;
       verdict.surely_shadow |= crossing(behind, v) == Crossing::kCrossed;
@@ -116,23 +116,23 @@ TEST(PlainFlags, AgreeWithBruteForceOnRandomScans) {
   std::uniform_real_distribution<double> in_map(-1.9, 2.4);
   for (int round = 0; round < 20; ++round) {
     const Eigen::Vector3d sensor(in_map(random), in_map(random), in_map(random));
-    ldm::Scan scan = scan_at(0, sensor);
-    std::vector<ldm::VoxelIndex> hits;
+    Scan scan = scan_at(0, sensor);
+    std::vector<VoxelIndex> hits;
     for (int i = 0; i < 10; ++i) {
       const Eigen::Vector3d p(in_map(random), in_map(random), in_map(random));
       scan.points.push_back((p - sensor).cast<float>());
-      hits.push_back(ldm::voxel_at(p, kResolution));
+      hits.push_back(voxel_at(p, kResolution));
     }
     const std::vector<Verdict> verdicts = judge(sensor, hits);
     const std::vector<VoxelFlag> flags = flag_voxels(scan, kWindow, kResolution, true);
-    for_each_voxel(kWindow, [&](const ldm::VoxelIndex& v) {
-      const Kind kind = flags[kWindow.index(v)].kind;
+    for_each_voxel(kWindow, [&](const VoxelIndex& v, std::size_t i) {
+      const Kind kind = flags[i].kind;
       const bool is_hit = std::find(hits.begin(), hits.end(), v) != hits.end();
       EXPECT_EQ(kind == Kind::kOccupied, is_hit);
-      if (!is_hit) expect_possible(kind, verdicts[kWindow.index(v)]);
+      if (!is_hit) expect_possible(kind, verdicts[i]);
     });
   }
 }
 
 }  // namespace
-}  // namespace reference
+}  // namespace ldm::plain

@@ -1,6 +1,6 @@
 /// Four particles at a time: what ParticlePair, VelocityNoise and ParticleMotion::move do to one
 /// pair, done to two in registers twice as wide.
-#include "ldm/prediction_pass.h"
+#include "ldm/particle_motion.h"
 
 #ifdef __x86_64__
 #include <immintrin.h>
@@ -9,21 +9,22 @@
 #define LDM_AVX2 __attribute__((target("avx2")))
 
 namespace ldm {
+namespace {
 
 /// The constants of a motion, in both halves of a register. Particles 0 and 2 are in the lower
 /// halves, 1 and 3 in the upper: two loads from the memory unpack to that, each in its half.
-class MotionOfFours {
+class FourMotions {
  public:
-  LDM_AVX2 explicit MotionOfFours(const ParticleMotion& motion)
-      : extent_(twice(motion.extent_)),
-        origin_(twice(motion.origin_)),
-        highest_(twice(motion.highest_)),
-        step_(twice(motion.step_)),
-        row_stride_(twice(motion.row_stride_)),
-        layer_stride_(twice(motion.layer_stride_)),
-        gone_(twice(motion.gone_)),
-        fraction_bits_(_mm_cvtsi32_si128(motion.fraction_bits_)),
-        doublings_(motion.doublings_) {}
+  LDM_AVX2 explicit FourMotions(const ParticleMotion::Constants& motion)
+      : extent_(in_both_halves(motion.extent)),
+        origin_(in_both_halves(motion.origin)),
+        highest_(in_both_halves(motion.highest)),
+        step_(in_both_halves(motion.step)),
+        row_stride_(in_both_halves(motion.row_stride)),
+        layer_stride_(in_both_halves(motion.layer_stride)),
+        gone_(in_both_halves(motion.gone)),
+        fraction_bits_(_mm_cvtsi32_si128(motion.fraction_bits)),
+        doublings_(motion.doublings) {}
 
   LDM_AVX2 __m256i gone() const { return gone_; }
   /// ParticleMotion::move. Slots, each in two lanes of 32 bits.
@@ -45,7 +46,7 @@ class MotionOfFours {
 
  private:
   template <class Lanes>
-  LDM_AVX2 static __m256i twice(const Lanes& lanes) {
+  LDM_AVX2 static __m256i in_both_halves(const Lanes& lanes) {
     return _mm256_broadcastsi128_si256(reinterpret_cast<__m128i>(lanes));
   }
 
@@ -55,9 +56,9 @@ class MotionOfFours {
 };
 
 /// Draws of VelocityNoise for four particles.
-class NoiseOfFours {
+class FourNoises {
  public:
-  explicit NoiseOfFours(const VelocityNoise& noise) : table_(noise.table_.data()) {}
+  explicit FourNoises(const VelocityNoise& noise) : table_(noise.table().data()) {}
 
   /// VelocityNoise::draw
   LDM_AVX2 __m256i of(std::uint64_t first_two, std::uint64_t last_two) const {
@@ -79,8 +80,6 @@ class NoiseOfFours {
 
   const std::int64_t* table_;
 };
-
-namespace {
 
 /// Four particles in two registers each.
 struct FourParticles {
@@ -115,9 +114,9 @@ LDM_AVX2 void count_slots(__m256i slots, std::uint32_t* count) {
   ++count[static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 6))];
 }
 
-LDM_AVX2 std::size_t run_fours(const PredictionPass& pass, std::size_t begin, std::size_t end) {
-  const MotionOfFours motion(pass.motion);
-  const NoiseOfFours noise(pass.noise);
+LDM_AVX2 std::size_t move_fours(const PredictionPass& pass, std::size_t begin, std::size_t end) {
+  const FourMotions motion(pass.motion.constants());
+  const FourNoises noise(pass.noise);
   const RandomStream stream = pass.stream;
   std::uint32_t* const count = pass.count;
   std::size_t i = begin;
@@ -137,9 +136,9 @@ LDM_AVX2 std::size_t run_fours(const PredictionPass& pass, std::size_t begin, st
 
 }  // namespace
 
-std::size_t PredictionPass::run_fours(std::size_t begin, std::size_t end) const {
+std::size_t PredictionPass::move_fours(std::size_t begin, std::size_t end) const {
   static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  return has_avx2 ? ldm::run_fours(*this, begin, end) : begin;
+  return has_avx2 ? ldm::move_fours(*this, begin, end) : begin;
 }
 
 }  // namespace ldm
@@ -147,7 +146,7 @@ std::size_t PredictionPass::run_fours(std::size_t begin, std::size_t end) const 
 
 namespace ldm {
 
-std::size_t PredictionPass::run_fours(std::size_t begin, std::size_t) const {
+std::size_t PredictionPass::move_fours(std::size_t begin, std::size_t) const {
   return begin;
 }
 
