@@ -23,17 +23,21 @@ void check_reach(const ldm::LocalMap& map) {
 }
 
 /// As `octomap::OcTree::writeBinary`, which in Debian's build also prints " done." on stderr.
-void write(const octomap::OcTree& tree, const std::filesystem::path& file) {
+void write(const octomap::OcTree& tree, const std::string& comment,
+           const std::filesystem::path& file) {
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
-         << "\nres " << tree.getResolution() << "\ndata\n";
+  stream << "# Octomap OcTree binary file\n";
+  if (!comment.empty()) stream << "# " << comment << '\n';
+  stream << "id " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
+         << tree.getResolution() << "\ndata\n";
   if (stream) tree.writeBinaryData(stream);
   if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written: disk full?");
 }
 
 }  // namespace
 
-void write_bt(const ldm::LocalMap& map, const std::filesystem::path& file) {
+void write_bt(const ldm::LocalMap& map, const std::string& comment,
+              const std::filesystem::path& file) {
   check_reach(map);
   octomap::OcTree tree(map.resolution);
   constexpr bool kLazy = true;  // inner nodes follow once, below
@@ -47,7 +51,7 @@ void write_bt(const ldm::LocalMap& map, const std::filesystem::path& file) {
   tree.updateInnerOccupancy();
   tree.toMaxLikelihood();
   tree.prune();
-  write(tree, file);
+  write(tree, comment, file);
 }
 
 }  // namespace baselines

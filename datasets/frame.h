@@ -41,8 +41,14 @@ struct Truth {
 struct Frame {
   std::int64_t index = 0;  ///< from 0
   ldm::Scan scan;
+  /// The world's origin of a recording in coordinates as large as a country's grid: everything of
+  /// the frame is relative to it, since maps and clusters are floats. [m]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   std::optional<Truth> truth;
 };
+
+/// `origin_m 500000.25 5400000 0`, for files whose coordinates are relative to it; empty for 0.
+std::string origin_text(const Frame& frame);
 
 /// A scenario being simulated, or a log being read. Frames stream: memory does not grow.
 class FrameSource {

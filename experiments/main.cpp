@@ -251,6 +251,8 @@ class CommandLine {
         "trajectory of a folder of scans, TUM's or KITTI's (default: its poses.txt)");
     command->add_option("--times", request.recording.times,
                         "times of a folder of scans, one a line (default: its times.txt)");
+    command->add_option("--time-unit", request.time_unit,
+                        "of those two files: s, ms, us or ns (default: s)");
     command->add_flag("--keep-going", request.recording.keep_going,
                       "skip and count the frames of a log that are broken");
   }

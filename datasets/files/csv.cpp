@@ -13,14 +13,35 @@
 namespace datasets {
 namespace {
 
-std::vector<std::string_view> split(std::string_view line) {
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+/// The words between separators, but for those in quotes.
+std::vector<std::string_view> split(std::string_view line, char separator, bool quotes) {
   std::vector<std::string_view> values;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    values.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return values;
-    line.remove_prefix(comma + 1);
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (quotes && line[at] == '"') quoted = !quoted;
+    if (quoted || line[at] != separator) continue;
+    values.push_back(line.substr(begin, at - begin));
+    begin = at + 1;
   }
+  values.push_back(line.substr(begin));
+  return values;
+}
+
+/// Without blanks and quotes around it.
+std::string_view bare(std::string_view value) {
+  const auto trim = [&value](std::string_view around) {
+    value.remove_prefix(std::min(value.find_first_not_of(around), value.size()));
+    value = value.substr(0, value.find_last_not_of(around) + 1);
+  };
+  trim(" \t");
+  if (value.size() >= 2 && value.front() == '"' && value.back() == '"') {
+    value = value.substr(1, value.size() - 2);
+    trim(" \t");
+  }
+  return value;
 }
 
 /// True if all of `text` is one number.
@@ -28,6 +49,18 @@ template <class Number>
 bool parse(std::string_view text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc{} && end == text.data() + text.size();
+}
+
+/// The same for what other programs write: +3, 3.0.
+template <class Number>
+bool parse_foreign(std::string_view text, Number& number) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  if (parse(text, number)) return true;
+  double value = 0;
+  constexpr double kExact = 9007199254740992;  // 2^53
+  if (!parse(text, value) || std::trunc(value) != value || std::abs(value) > kExact) return false;
+  number = static_cast<Number>(value);
+  return true;
 }
 
 }  // namespace
@@ -65,16 +98,29 @@ void CsvWriter::close() {
   if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written: disk full?");
 }
 
-CsvReader::CsvReader(const std::filesystem::path& file)
-    : file_(file.string()), stream_(file, std::ios::binary) {
+CsvReader::CsvReader(const std::filesystem::path& file) : CsvReader(file, Dialect::kForeign) {}
+
+CsvReader::CsvReader(const std::filesystem::path& file, Dialect dialect)
+    : file_(file.string()),
+      foreign_(dialect == Dialect::kForeign),
+      stream_(file, std::ios::binary) {
   if (!stream_) {
     throw ldm::InvalidInput(file_ + ": cannot be read (" + std::strerror(errno) + ")");
   }
   if (!read_line()) reject("the file is empty; allowed: the names of the columns");
-  for (const std::string_view column : split(line_)) columns_.emplace_back(column);
+  if (foreign_ && line_.starts_with(kByteOrderMark)) line_.erase(0, kByteOrderMark.size());
+  for (const char separator : {';', '\t'}) {
+    if (foreign_ && line_.find(',') == std::string::npos &&
+        line_.find(separator) != std::string::npos) {
+      separator_ = separator;
+    }
+  }
+  split_line();
+  for (const std::string_view column : values_) columns_.emplace_back(column);
 }
 
-CsvReader::CsvReader(const std::filesystem::path& file, std::string_view header) : CsvReader(file) {
+CsvReader::CsvReader(const std::filesystem::path& file, std::string_view header)
+    : CsvReader(file, Dialect::kOurs) {
   if (line_ != header) reject("allowed as first line: " + std::string(header));
 }
 
@@ -85,14 +131,22 @@ bool CsvReader::read_line() {
     return false;
   }
   // Without its end, a line may have lost the last digits of its last number.
-  if (stream_.eof()) reject("the file ends in the middle of this line");
+  if (stream_.eof() && !foreign_) reject("the file ends in the middle of this line");
   if (line_.ends_with('\r')) line_.pop_back();  // of other systems and of spreadsheets
   return true;
 }
 
+void CsvReader::split_line() {
+  values_ = split(line_, separator_, foreign_);
+  if (!foreign_) return;
+  for (std::string_view& value : values_) value = bare(value);
+}
+
 bool CsvReader::next_row() {
-  if (!read_line()) return false;
-  values_ = split(line_);
+  do {
+    if (!read_line()) return false;
+    split_line();
+  } while (foreign_ && values_.size() == 1 && values_.front().empty());
   next_ = 0;
   if (values_.size() != columns_.size()) {
     reject(std::to_string(values_.size()) + " values, allowed: " + std::to_string(columns_.size()));
@@ -106,18 +160,32 @@ std::string_view CsvReader::next_value() {
 
 double CsvReader::number() {
   double value = 0;
-  if (!parse(next_value(), value) || !std::isfinite(value)) reject_value("a finite number");
+  const std::string_view text = next_value();
+  if (!(foreign_ ? parse_foreign(text, value) : parse(text, value)) || !std::isfinite(value)) {
+    reject_value("a finite number");
+  }
   return value;
 }
 
 std::int64_t CsvReader::integer(std::int64_t min, std::int64_t max) {
   std::int64_t value = 0;
-  if (!parse(next_value(), value) || value < min || value > max) {
+  const std::string_view text = next_value();
+  if (!(foreign_ ? parse_foreign(text, value) : parse(text, value)) || value < min || value > max) {
     reject_value(min == max
                      ? std::to_string(min)
                      : "an integer in [" + std::to_string(min) + ", " + std::to_string(max) + "]");
   }
   return value;
+}
+
+bool CsvReader::boolean() {
+  const std::string_view text = values_.at(next_);
+  for (const std::string_view word : {"true", "True", "TRUE", "false", "False", "FALSE"}) {
+    if (text != word) continue;
+    ++next_;
+    return word.size() == 4;
+  }
+  return integer(0, 1) == 1;
 }
 
 std::size_t CsvReader::choice(std::span<const std::string_view> words) {

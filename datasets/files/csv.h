@@ -36,7 +36,9 @@ class CsvReader {
  public:
   /// @throws ldm::InvalidInput if the file cannot be read or its first line is not `header`.
   CsvReader(const std::filesystem::path& file, std::string_view header);
-  /// With the columns that its first line names, in any order.
+  /// A table of another program, with the columns that its first line names, in any order: values
+  /// between commas, semicolons or tabs, in quotes or not, with blanks around them or lines without
+  /// any; a byte order mark before, no line end behind; whole numbers as 3.0, signs as +3.
   explicit CsvReader(const std::filesystem::path& file);
 
   const std::vector<std::string>& columns() const { return columns_; }
@@ -49,17 +51,24 @@ class CsvReader {
   double number();
   /// The next value of the row, which must lie in [min, max].
   std::int64_t integer(std::int64_t min, std::int64_t max);
+  /// The next value of the row: 0, 1, true or false.
+  bool boolean();
   /// The next value of the row, as its position in `words`.
   std::size_t choice(std::span<const std::string_view> words);
   /// Throws ldm::InvalidInput: `file:line: message`.
   [[noreturn]] void reject(const std::string& message) const;
 
  private:
+  enum class Dialect { kOurs, kForeign };
+  CsvReader(const std::filesystem::path& file, Dialect dialect);
   bool read_line();
+  void split_line();
   std::string_view next_value();
   [[noreturn]] void reject_value(const std::string& allowed) const;
 
   std::string file_;
+  bool foreign_;  // of another program
+  char separator_ = ',';
   std::ifstream stream_;
   std::int64_t line_number_ = 0;
   std::string line_;

@@ -38,6 +38,8 @@ class GzArchive final : public mrpt::serialization::CArchive {
   /// The next object, or null where the file ends or is damaged: MRPT's own messages are several
   /// lines about its source files, and it believes any size that it reads.
   mrpt::serialization::CSerializable::Ptr read_object();
+  /// Why that was null, in words to follow the place: damage, or a class of a newer MRPT.
+  const std::string& failure() const { return failure_; }
   std::string getArchiveDescription() const override { return "recorded log"; }
 
  private:
@@ -51,6 +53,7 @@ class GzArchive final : public mrpt::serialization::CArchive {
   }
 
   std::unique_ptr<gzFile_s, int (*)(gzFile)> gz_;
+  std::string failure_ = "the log is cut short or damaged";
 };
 
 }  // namespace datasets

@@ -9,6 +9,7 @@
 #include "datasets/recording/formats/kitti_reader.h"
 #include "datasets/recording/formats/mrpt_log_reader.h"
 #include "datasets/recording/formats/pcd_reader.h"
+#include "datasets/recording/formats/scan_names.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "ldm/scan_check.h"
 
@@ -21,7 +22,7 @@ bool has_pcd(const fs::path& folder) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
   return !error && std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
-    return entry.path().extension() == ".pcd";
+    return is_scan_name(entry.path(), kPcdEnding);
   });
 }
 
@@ -67,8 +68,7 @@ std::unique_ptr<FrameSource> open_recording(const fs::path& path, const Recordin
     return std::make_unique<UndamagedFrames>(std::move(log));
   }
   return std::make_unique<ScanFilter>(
-      std::make_unique<OrderedFrames>(open_reader(path, format, options), options.keep_going),
-      options.input);
+      std::make_unique<OrderedFrames>(open_reader(path, format, options), options), options.input);
 }
 
 bool UndamagedFrames::next(Frame& frame) {
@@ -84,8 +84,10 @@ bool UndamagedFrames::next(Frame& frame) {
   return !ended_;
 }
 
-OrderedFrames::OrderedFrames(std::unique_ptr<ScanReader> reader, bool keep_going)
-    : reader_(std::move(reader)), keep_going_(keep_going) {}
+OrderedFrames::OrderedFrames(std::unique_ptr<ScanReader> reader, const RecordingOptions& options)
+    : reader_(std::move(reader)),
+      keep_going_(options.keep_going),
+      origin_step_(options.origin_step) {}
 
 bool OrderedFrames::next(Frame& frame) {
   for (;;) {
@@ -122,7 +124,19 @@ bool OrderedFrames::take_one(Frame& frame, bool& usable) {
     throw BrokenFrame("bad pose", reader_->place() + ": " + error.what());
   }
   last_time_ = time;
+  if (usable) set_origin(frame);
   return true;
+}
+
+void OrderedFrames::set_origin(Frame& frame) {
+  ldm::Scan& scan = frame.scan;
+  if (!origin_) {
+    const Eigen::Array3d first = scan.T_world_uav.translation;
+    origin_ = (first.abs() < kNear).select(0, (first / origin_step_).round() * origin_step_);
+  }
+  frame.origin = *origin_;
+  scan.T_world_uav.translation -= frame.origin;
+  scan.T_world_sensor.translation -= frame.origin;
 }
 
 InputCounts OrderedFrames::counts() const {

@@ -43,10 +43,13 @@ class UndamagedFrames : public FrameSource {
 };
 
 /// The frames of a reader in order of time: those that cannot be used end the run or, if
-/// `keep_going`, are counted.
+/// `keep_going`, are counted. Their world begins at `Frame::origin`: that is 0 along each axis on
+/// which the first vehicle is nearer than kNear.
 class OrderedFrames : public FrameSource {
  public:
-  OrderedFrames(std::unique_ptr<ScanReader> reader, bool keep_going);
+  static constexpr double kNear = 1000;  ///< [m]: floats still tell 0.06 mm there
+
+  OrderedFrames(std::unique_ptr<ScanReader> reader, const RecordingOptions& options);
 
   bool next(Frame& frame) override;
   std::optional<std::int64_t> size() const override { return reader_->size(); }
@@ -54,10 +57,13 @@ class OrderedFrames : public FrameSource {
 
  private:
   bool take_one(Frame& frame, bool& usable);
+  void set_origin(Frame& frame);
 
   std::unique_ptr<ScanReader> reader_;
   bool keep_going_;
-  std::optional<double> last_time_;  // [s]
+  double origin_step_;                     // [m]
+  std::optional<Eigen::Vector3d> origin_;  // [m], from the first frame on
+  std::optional<double> last_time_;        // [s]
   InputCounts counts_;
 };
 

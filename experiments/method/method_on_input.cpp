@@ -30,15 +30,21 @@ GivenSettings given_settings(const MethodOnInput& request, const DataFolders& fo
   return given;
 }
 
-std::optional<datasets::RecordingFormat> format_of(const MethodOnInput& request) {
-  const auto& names = datasets::kRecordingFormatNames;
-  if (!request.format) return datasets::recognised_format(request.input);
-  const auto* const name = std::find(std::begin(names), std::end(names), *request.format);
+/// The value that a word of the command line names.
+template <class Choice, std::size_t n>
+Choice choice_of(const std::string& option, const std::string& word,
+                 const std::string_view (&names)[n]) {
+  const auto* const name = std::find(std::begin(names), std::end(names), word);
   if (name == std::end(names)) {
-    throw ldm::InvalidInput("--format " + *request.format +
-                            ": allowed: " + datasets::joined(names));
+    throw ldm::InvalidInput(option + " " + word + ": allowed: " + datasets::joined(names));
   }
-  return static_cast<datasets::RecordingFormat>(name - names);
+  return static_cast<Choice>(name - names);
+}
+
+std::optional<datasets::RecordingFormat> format_of(const MethodOnInput& request) {
+  if (!request.format) return datasets::recognised_format(request.input);
+  return choice_of<datasets::RecordingFormat>("--format", *request.format,
+                                              datasets::kRecordingFormatNames);
 }
 
 /// True for what is read with input.* parameters.
@@ -46,12 +52,26 @@ bool is_recording(const MethodOnInput& request) {
   return request.is_log() && format_of(request) != datasets::RecordingFormat::kLdmRawlog;
 }
 
+/// A name is a scenario's or that of what lies there; a misspelt one is none of both.
+void check_input(const MethodOnInput& request, const DataFolders& folders) {
+  if (request.is_log() || request.input.ends_with(".toml")) return;
+  const std::vector<std::string> names = folders.scenarios.names();
+  if (std::find(names.begin(), names.end(), request.input) != names.end()) return;
+  if (fs::exists(request.input)) datasets::open_recording(request.input, request.recording);
+  throw ldm::InvalidInput(request.input +
+                          ": no such recording or scenario: allowed: a file or folder that is "
+                          "there, a .toml file, " +
+                          datasets::joined(names));
+}
+
 [[noreturn]] void refuse_option(const std::string& option, std::string_view allowed) {
   throw ldm::InvalidInput(option + ": allowed: " + std::string(allowed));
 }
 
-void refuse_recording_options(const datasets::RecordingOptions& options) {
+void refuse_recording_options(const MethodOnInput& request) {
   constexpr std::string_view kWithRecording = "with a recording (KITTI, PCD, MRPT)";
+  const datasets::RecordingOptions& options = request.recording;
+  if (request.time_unit) refuse_option("--time-unit " + *request.time_unit, kWithRecording);
   if (options.poses) refuse_option("--poses " + options.poses->string(), kWithRecording);
   if (options.times) refuse_option("--times " + options.times->string(), kWithRecording);
 }
@@ -82,6 +102,7 @@ ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method
 
 std::optional<datasets::InputParameters> input_parameters_of(const MethodOnInput& request,
                                                              const DataFolders& folders) {
+  check_input(request, folders);
   const bool recording = is_recording(request);
   datasets::InputParameters parameters;
   const GivenSettings given = given_settings(request, folders);
@@ -105,7 +126,7 @@ std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
                                                   const DataFolders& folders,
                                                   std::optional<std::int64_t> frames) {
   const std::optional<datasets::InputParameters> input = input_parameters_of(request, folders);
-  if (!input) refuse_recording_options(request.recording);
+  if (!input) refuse_recording_options(request);
   if (!request.is_log()) {
     if (request.recording.keep_going) refuse_option("--keep-going", "with a log or a recording");
     const datasets::Scenario scenario =
@@ -118,6 +139,11 @@ std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
   }
   datasets::RecordingOptions options = request.recording;
   options.format = format_of(request);
+  options.origin_step = parameters_of(request, find_method(request.method), folders).map.resolution;
+  if (request.time_unit) {
+    options.time_unit =
+        choice_of<datasets::TimeUnit>("--time-unit", *request.time_unit, datasets::kTimeUnitNames);
+  }
   if (input) options.input = *input;
   return datasets::open_recording(request.input, options);
 }

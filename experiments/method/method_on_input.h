@@ -22,7 +22,8 @@ struct MethodOnInput {
   std::vector<std::string> settings;  ///< name=value, stronger than the file
   std::optional<std::uint64_t> seed;  ///< of the scenario's world (default 1)
   std::optional<std::string> format;  ///< one of datasets::kRecordingFormatNames
-  datasets::RecordingOptions recording;  ///< all but `format` and `input`, which follow from above
+  std::optional<std::string> time_unit;  ///< one of datasets::kTimeUnitNames
+  datasets::RecordingOptions recording;  ///< all but what follows from the above
 
   /// A recording or a log of our own, not a scenario: a name that ends in .rawlog, a folder that
   /// holds a recording, any other path but a .toml file's, and whatever comes with a format.

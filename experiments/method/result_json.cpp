@@ -81,9 +81,13 @@ Json timing_json(const StageClock& clock, bool serial) {
 }
 
 std::string dump(const Json& json) {
+  // A name of a file may be in Latin-1, which no JSON holds: `?` in its place.
+  const auto line = [](const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
   std::string text = "{";
   for (const auto& [key, value] : json.items()) {
-    text += (text.size() > 1 ? ",\n " : "\n ") + Json(key).dump() + ": " + value.dump();
+    text += (text.size() > 1 ? ",\n " : "\n ") + line(key) + ": " + line(value);
   }
   return text + "\n}\n";
 }

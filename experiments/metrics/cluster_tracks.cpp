@@ -30,9 +30,10 @@ ldm::Velocity velocity_of(const ldm::Cluster& cluster) {
 
 }  // namespace
 
-/// What was in view for a moment only is forgotten soon.
+/// What was in view for a moment only is forgotten soon; a slow log's moment is a few frames.
 bool ClusterTracks::Track::forgotten(double time) const {
-  return time - found > std::min(kMemory, kFragment + 4 * (found - since));
+  return missed > kMemoryFrames &&
+         time - found > std::min(kMemory, kFragment + 4 * (found - since));
 }
 
 bool ClusterTracks::Track::may_be(double time, const ldm::Cluster& cluster) const {
@@ -59,12 +60,16 @@ void ClusterTracks::Track::stay_within(const ldm::Cluster& cluster) {
 std::vector<std::int64_t> ClusterTracks::next(double time,
                                               const std::vector<ldm::Cluster>& clusters) {
   std::erase_if(tracks_, [time](const Track& track) { return track.forgotten(time); });
-  for (Track& track : tracks_) track.position += static_cast<float>(time - time_) * track.velocity;
+  for (Track& track : tracks_) {
+    track.position += static_cast<float>(time - time_) * track.velocity;
+    ++track.missed;
+  }
 
   const std::vector<CandidatePair> pairs = nearest_pairs(candidates(time, clusters));
   std::vector<std::int64_t> ids(clusters.size());
   for (const CandidatePair& pair : pairs) {
     tracks_[pair.left].found = time;
+    tracks_[pair.left].missed = 0;
     ids[pair.right] = tracks_[pair.left].id;
   }
   for (const CandidatePair& pair : pairs) {

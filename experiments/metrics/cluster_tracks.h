@@ -15,7 +15,8 @@ namespace experiments {
 /// again when the clusters part.
 class ClusterTracks {
  public:
-  static constexpr double kMemory = 4.0;  ///< unseen for longer, a track ends [s]
+  static constexpr double kMemory = 4.0;            ///< unseen for longer, a track ends [s],
+  static constexpr std::int64_t kMemoryFrames = 3;  ///< but not before it missed more frames
 
   /// The track of each cluster of the next frame, taken at `time` [s] (never decreasing): numbers
   /// from 1, each in one cluster of a frame at most, never used again after their track ended.
@@ -31,6 +32,7 @@ class ClusterTracks {
     ldm::Point position;
     ldm::Velocity velocity;
     ldm::Point size;
+    std::int64_t missed = 0;  ///< frames since it was last seen
 
     bool forgotten(double time) const;
     bool may_be(double time, const ldm::Cluster& cluster) const;

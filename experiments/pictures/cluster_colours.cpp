@@ -9,17 +9,22 @@ namespace experiments {
 std::vector<std::size_t> ClusterColours::next(double time,
                                               const std::vector<ldm::Cluster>& clusters,
                                               const std::vector<std::int64_t>& tracks) {
-  std::erase_if(
-      seen_, [&](const auto& entry) { return time - entry.second.time > ClusterTracks::kMemory; });
+  ++frame_;
+  std::erase_if(seen_, [&](const auto& entry) {
+    return time - entry.second.time > ClusterTracks::kMemory &&
+           frame_ - entry.second.frame > ClusterTracks::kMemoryFrames;
+  });
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const auto known = seen_.find(tracks[c]);
     if (known == seen_.end()) continue;
     known->second.time = time;
+    known->second.frame = frame_;
     known->second.voxels = clusters[c].voxels;
   }
   std::vector<std::size_t> colour_of;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
-    const auto known = seen_.try_emplace(tracks[c], time, clusters[c].voxels, rarest()).first;
+    const auto known =
+        seen_.try_emplace(tracks[c], time, frame_, clusters[c].voxels, rarest()).first;
     colour_of.push_back(known->second.colour);
   }
   return colour_of;

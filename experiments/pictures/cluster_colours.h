@@ -22,7 +22,8 @@ class ClusterColours {
 
  private:
   struct Seen {
-    double time;  ///< last seen [s]
+    double time;         ///< last seen [s]
+    std::int64_t frame;  ///< and its number
     std::int32_t voxels;
     std::size_t colour;
   };
@@ -30,6 +31,7 @@ class ClusterColours {
   std::size_t rarest() const;
 
   std::size_t colours_;
+  std::int64_t frame_ = 0;
   std::map<std::int64_t, Seen> seen_;  ///< by track, each as it was last found
 };
 

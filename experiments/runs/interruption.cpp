@@ -19,6 +19,7 @@ std::time_t now() {
 void set_handler(void (*handler)(int)) {
   std::signal(SIGINT, handler);
   std::signal(SIGTERM, handler);
+  std::signal(SIGHUP, handler);  // the terminal was closed
 }
 
 /// Some programs, `timeout` for one, signal both a process and its group: one request.

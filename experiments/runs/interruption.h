@@ -3,8 +3,8 @@
 
 namespace experiments {
 
-/// While one lives, the first SIGINT or SIGTERM sets `requested`; another one, two seconds later or
-/// more, ends the program at once, as without it. One at a time.
+/// While one lives, the first SIGINT, SIGTERM or SIGHUP sets `requested`; another one, two seconds
+/// later or more, ends the program at once, as without it. One at a time.
 class Interruption {
  public:
   Interruption();

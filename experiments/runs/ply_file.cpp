@@ -31,9 +31,12 @@ std::array<char, kVertexBytes> bytes_of(const PlyVertex& vertex) {
 
 }  // namespace
 
-void write_ply(const std::vector<PlyVertex>& vertices, const std::filesystem::path& file) {
+void write_ply(const std::vector<PlyVertex>& vertices, const std::string& comment,
+               const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << vertices.size() << '\n';
+  out << "ply\nformat binary_little_endian 1.0\n";
+  if (!comment.empty()) out << "comment " << comment << '\n';
+  out << "element vertex " << vertices.size() << '\n';
   for (const char* axis : {"x", "y", "z"}) out << "property float " << axis << '\n';
   for (const char* colour : {"red", "green", "blue"}) out << "property uchar " << colour << '\n';
   out << "property float occupancy\nproperty int track\nend_header\n";

@@ -10,6 +10,7 @@
 #include "experiments/runs/interruption.h"
 #include "experiments/runs/played_frames.h"
 #include "experiments/runs/progress_line.h"
+#include "experiments/runs/run_folder.h"
 #include "experiments/runs/run_summary.h"
 #include "experiments/runs/run_tables.h"
 
@@ -66,6 +67,7 @@ RunSummary summary_of(const RunRequest& request, const Method& method, const Dat
           .parameters = parameters_of(request, method, folders),
           .input_parameters = input_parameters_of(request, folders),
           .input_counts = {},
+          .origin = Eigen::Vector3d::Zero(),
           .plugin = plugin_of(method),
           .real_time = {},
           .interrupted = false,
@@ -73,9 +75,11 @@ RunSummary summary_of(const RunRequest& request, const Method& method, const Dat
 }
 
 /// What the user should know without looking into the files.
-void report(const RunSummary& summary) {
-  if (summary.input_counts.skipped() > 0) {
-    std::fprintf(stderr, "ldm: %s\n", summary.input_counts.skipped_text().c_str());
+/// @param points that were used
+void report(const RunSummary& summary, std::int64_t points) {
+  const std::int64_t frames = summary.evaluation.frames;
+  for (const std::string& line : summary.input_counts.losses(frames, points)) {
+    std::fprintf(stderr, "ldm: %s\n", line.c_str());
   }
   if (summary.real_time) {
     const auto& [rate, late] = *summary.real_time;
@@ -83,9 +87,10 @@ void report(const RunSummary& summary) {
                 rate, static_cast<long long>(late.frames), late.worst);
   }
   if (summary.interrupted) {
-    throw std::runtime_error("interrupted after " + std::to_string(summary.evaluation.frames) +
+    throw std::runtime_error("interrupted after " + std::to_string(frames) +
                              " frames, which are written");
   }
+  if (frames == 0) throw std::runtime_error(summary.request.input + ": no frame could be used");
 }
 
 }  // namespace
@@ -98,17 +103,20 @@ void run(const RunRequest& request, const DataFolders& folders) {
       open_input(request, folders, request.frames);
   const Interruption interruption;  // before there is anything that Ctrl-C could lose
   datasets::make_folder(request.output);
+  clear_run_folder(request.output);
   RunTables tables(request.output);
 
   PlayedFrames frames(*source, request.rate, [&] { return interruption.requested(); });
   ClusterTracks tracks;
-  std::int64_t done = 0;
+  std::int64_t done = 0, points = 0;
   {
     ProgressLine progress(expected_frames(*source, request.frames));
     const auto observe = [&](const datasets::Frame& frame, const ldm::LocalMap& map) {
       const std::vector<std::int64_t> ids = tracks.next(frame.scan.time, map.clusters);
       tables.add(frame, map, ids);
       maps.add(frame, map, ids);
+      summary.origin = frame.origin;
+      points += static_cast<std::int64_t>(frame.scan.points.size());
       progress.show(++done, progress_detail(map, frames.lateness()));
     };
     summary.evaluation = evaluate(method, summary.parameters, frames,
@@ -118,7 +126,7 @@ void run(const RunRequest& request, const DataFolders& folders) {
   summary.interrupted = interruption.requested();
   if (request.rate) summary.real_time = {*request.rate, frames.lateness()};
   tables.finish(summary);
-  report(summary);
+  report(summary, points);
   maps.check_complete();
 }
 

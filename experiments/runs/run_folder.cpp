@@ -25,14 +25,14 @@ void read_clusters(const std::filesystem::path& file, std::map<std::int64_t, Run
     }
     csv.number();  // the time, which frames.csv has
     csv.integer(0, kAny);
-    RunCluster found{.track = csv.integer(1, std::numeric_limits<std::int64_t>::max()),
-                     .cluster = {}};
-    found.cluster.position = vector(csv).cast<float>();
-    found.cluster.size = vector(csv).cast<float>();
-    found.cluster.velocity = vector(csv).cast<float>();
-    found.cluster.voxels = static_cast<std::int32_t>(csv.integer(1, kAny));
+    RunCluster found;
+    found.track = csv.integer(1, std::numeric_limits<std::int64_t>::max());
+    found.position = vector(csv);
+    vector(csv);  // the size
+    found.velocity = vector(csv);
+    csv.integer(1, kAny);  // the voxels
     csv.integer(0, kAny);  // the points
-    found.cluster.dynamic = csv.integer(0, 1) == 1;
+    found.dynamic = csv.integer(0, 1) == 1;
     frame->second.clusters.push_back(found);
   }
 }
@@ -51,6 +51,23 @@ std::map<std::int64_t, RunFrame> read_run_frames(const std::filesystem::path& fo
   }
   read_clusters(folder / "clusters.csv", frames);
   return frames;
+}
+
+void clear_run_folder(const std::filesystem::path& folder) {
+  for (const char* name :
+       {"clusters.csv", "frames.csv", "timing.csv", "summary.json", "score.csv", "score.json"}) {
+    std::filesystem::remove(folder / name);
+  }
+  const std::filesystem::path maps = folder / "maps";
+  if (!std::filesystem::is_directory(maps)) return;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(maps)) {
+    const std::filesystem::path& file = entry.path();
+    const bool map = file.extension() == ".ply" || file.extension() == ".bt";
+    if (map && file.filename().string().starts_with("frame_")) files.push_back(file);
+  }
+  for (const std::filesystem::path& file : files) std::filesystem::remove(file);
+  if (std::filesystem::is_empty(maps)) std::filesystem::remove(maps);
 }
 
 }  // namespace experiments

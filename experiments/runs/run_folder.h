@@ -6,13 +6,13 @@
 #include <map>
 #include <vector>
 
-#include "ldm/types.h"
-
 namespace experiments {
 
 struct RunCluster {
   std::int64_t track = 0;
-  ldm::Cluster cluster;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centroid, world frame [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
+  bool dynamic = false;
 };
 
 struct RunFrame {
@@ -24,5 +24,8 @@ struct RunFrame {
 /// Frames by number, from frames.csv and clusters.csv.
 /// @throws ldm::InvalidInput if they cannot be read, naming file and line.
 std::map<std::int64_t, RunFrame> read_run_frames(const std::filesystem::path& folder);
+
+/// Remove what a run, and its scores, left in a folder; nothing else.
+void clear_run_folder(const std::filesystem::path& folder);
 
 }  // namespace experiments

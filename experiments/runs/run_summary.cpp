@@ -12,7 +12,8 @@ namespace {
 Json counts_json(const datasets::InputCounts& counts) {
   return {{"frames_skipped", counts.frames_skipped},
           {"points_dropped", counts.points_dropped},
-          {"other", counts.other}};
+          {"other", counts.other},
+          {"other_sensors", counts.other_sensors}};
 }
 
 /// What else it takes to run the method on the same frames again.
@@ -23,6 +24,7 @@ Json source_json(const MethodOnInput& request) {
   const datasets::RecordingOptions& recording = request.recording;
   if (recording.poses) json["poses"] = recording.poses->string();
   if (recording.times) json["times"] = recording.times->string();
+  if (request.time_unit) json["time_unit"] = *request.time_unit;
   if (recording.keep_going) json["keep_going"] = true;
   return json;
 }
@@ -55,6 +57,7 @@ MethodOnInput request_of(const Json& json) {
   };
   request.input = json.at("input").get<std::string>();
   if (source.contains("format")) request.format = source.at("format").get<std::string>();
+  if (source.contains("time_unit")) request.time_unit = source.at("time_unit").get<std::string>();
   if (source.contains("seed")) request.seed = std::stoull(source.at("seed").get<std::string>());
   const bool is_name = request.seed && !request.input.ends_with(".toml");
   if (!is_name) request.input = (folder / request.input).string();
@@ -87,6 +90,9 @@ std::string to_json(const RunSummary& summary, const Provenance& provenance) {
                {"provenance", provenance_json(provenance, summary.plugin)}};
   if (summary.input_parameters) {
     json["input_parameters"] = parameters_json(*summary.input_parameters);
+  }
+  if (!summary.origin.isZero()) {
+    json["origin_m"] = {summary.origin.x(), summary.origin.y(), summary.origin.z()};
   }
   if (summary.input_parameters || summary.input_counts.skipped() > 0) {
     json["input_counts"] = counts_json(summary.input_counts);

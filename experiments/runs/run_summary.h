@@ -26,6 +26,7 @@ struct RunSummary {
   ldm::Parameters parameters;
   std::optional<datasets::InputParameters> input_parameters;  ///< of a recording
   datasets::InputCounts input_counts;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< see datasets::Frame [m]
   std::optional<PluginFile> plugin;
   std::optional<RealTime> real_time;
   bool interrupted = false;  ///< by Ctrl-C, after the last frame

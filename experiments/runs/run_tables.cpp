@@ -9,7 +9,7 @@ namespace {
 /// Appends numbers with commas in front, to 0.1 mm or 0.1 mm/s.
 class Row {
  public:
-  Row(const datasets::Frame& frame, std::ostream& out) : out_(out) {
+  Row(const datasets::Frame& frame, std::ostream& out) : out_(out), origin_(frame.origin) {
     out_ << frame.index;
     add("%.6f", frame.scan.time);
   }
@@ -22,6 +22,12 @@ class Row {
   void add(const Vector& v) {
     for (int i = 0; i < 3; ++i) add("%.4f", static_cast<double>(v[i]));
   }
+  /// A place of the frame's world, with the origin of that.
+  template <class Vector>
+  void add_place(const Vector& v) {
+    if (origin_.isZero()) return add(v);
+    add(Eigen::Vector3d(v.template cast<double>() + origin_));
+  }
 
  private:
   void add(const char* format, double value) {
@@ -31,6 +37,7 @@ class Row {
   }
 
   std::ostream& out_;
+  Eigen::Vector3d origin_;
 };
 
 /// How many returns of the scan lie in voxels of each cluster.
@@ -55,7 +62,7 @@ void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map,
     Row row(frame, out);
     row.add(static_cast<std::int64_t>(i));
     row.add(tracks[i]);
-    row.add(c.position);
+    row.add_place(c.position);
     row.add(c.size);
     row.add(c.velocity);
     row.add(std::int64_t{c.voxels});
@@ -66,8 +73,8 @@ void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map,
 
 void write_frame(const datasets::Frame& frame, const ldm::LocalMap& map, std::ostream& out) {
   Row row(frame, out);
-  row.add(frame.scan.T_world_uav.translation);
-  row.add(Eigen::Vector3d(map.window.origin.cast<double>() * map.resolution));
+  row.add_place(frame.scan.T_world_uav.translation);
+  row.add_place(Eigen::Vector3d(map.window.origin.cast<double>() * map.resolution));
   row.add(Eigen::Vector3d(map.window.size.cast<double>() * map.resolution));
   row.add(static_cast<std::int64_t>(frame.scan.points.size()));
   row.add(static_cast<std::int64_t>(map.clusters.size()));

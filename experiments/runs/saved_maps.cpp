@@ -19,9 +19,10 @@ std::string name_of(std::int64_t frame) {
   return name;
 }
 
-void write_ply_file(const std::vector<PlyVertex>& vertices, const std::filesystem::path& name) {
+void write_ply_file(const std::vector<PlyVertex>& vertices, const std::string& comment,
+                    const std::filesystem::path& name) {
   datasets::PartialFile file(name);
-  write_ply(vertices, file.temporary_name());
+  write_ply(vertices, comment, file.temporary_name());
   file.commit();
 }
 
@@ -47,17 +48,28 @@ void SavedMaps::add(const datasets::Frame& frame, const ldm::LocalMap& map,
   if (frames_.empty()) return;
   const std::vector<std::size_t> colours = colours_.next(frame.scan.time, map.clusters, tracks);
   if (frames_.erase(frame.index) == 0) return;
+  try {
+    write_files(frame, map, tracks, colours);
+  } catch (const std::exception&) {
+    if (!failure_) failure_ = std::current_exception();
+  }
+}
+
+void SavedMaps::write_files(const datasets::Frame& frame, const ldm::LocalMap& map,
+                            const std::vector<std::int64_t>& tracks,
+                            const std::vector<std::size_t>& colours) const {
   datasets::make_folder(folder_);
   const std::string name = name_of(frame.index);
-  if (ply_) write_ply_files(map, tracks, colours, name);
+  if (ply_) write_ply_files(frame, map, tracks, colours, name);
   if (bt_) {
     datasets::PartialFile file(folder_ / (name + ".bt"));
-    baselines::write_bt(map, file.temporary_name());
+    baselines::write_bt(map, datasets::origin_text(frame), file.temporary_name());
     file.commit();
   }
 }
 
-void SavedMaps::write_ply_files(const ldm::LocalMap& map, const std::vector<std::int64_t>& tracks,
+void SavedMaps::write_ply_files(const datasets::Frame& frame, const ldm::LocalMap& map,
+                                const std::vector<std::int64_t>& tracks,
                                 const std::vector<std::size_t>& colours,
                                 const std::string& name) const {
   std::vector<PlyVertex> occupied, free;
@@ -73,11 +85,12 @@ void SavedMaps::write_ply_files(const ldm::LocalMap& map, const std::vector<std:
     }
     (ldm::is_occupied(p) ? occupied : free).push_back(vertex);
   });
-  write_ply_file(occupied, folder_ / (name + ".occupied.ply"));
-  write_ply_file(free, folder_ / (name + ".free.ply"));
+  write_ply_file(occupied, datasets::origin_text(frame), folder_ / (name + ".occupied.ply"));
+  write_ply_file(free, datasets::origin_text(frame), folder_ / (name + ".free.ply"));
 }
 
 void SavedMaps::check_complete() const {
+  if (failure_) std::rethrow_exception(failure_);
   if (frames_.empty()) return;
   throw ldm::InvalidInput("--save-frames " + std::to_string(*frames_.begin()) +
                           ": allowed: frames of the run, which had none of this number");

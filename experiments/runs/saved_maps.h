@@ -2,6 +2,7 @@
 /// The occupied and free voxels of chosen frames of a run, as files (no paper section;
 /// docs/run-output.md).
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -26,21 +27,27 @@ class SavedMaps {
 
   /// To be called for every frame: colours follow the clusters from frame to frame.
   /// @param tracks of the clusters, see ClusterTracks
-  /// @throws ldm::InvalidInput if the folder cannot be written.
+  /// A map that cannot be written costs no frame of the run: `check_complete` tells.
   void add(const datasets::Frame& frame, const ldm::LocalMap& map,
            const std::vector<std::int64_t>& tracks);
 
-  /// @throws ldm::InvalidInput if a frame that was asked for did not come.
+  /// @throws ldm::InvalidInput if a frame that was asked for did not come, or what kept the first
+  /// map from being written.
   void check_complete() const;
 
  private:
-  void write_ply_files(const ldm::LocalMap& map, const std::vector<std::int64_t>& tracks,
+  void write_files(const datasets::Frame& frame, const ldm::LocalMap& map,
+                   const std::vector<std::int64_t>& tracks,
+                   const std::vector<std::size_t>& colours) const;
+  void write_ply_files(const datasets::Frame& frame, const ldm::LocalMap& map,
+                       const std::vector<std::int64_t>& tracks,
                        const std::vector<std::size_t>& colours, const std::string& name) const;
 
   std::set<std::int64_t> frames_;  ///< still to come
   std::filesystem::path folder_;
   bool ply_ = false, bt_ = false;
   ClusterColours colours_;
+  std::exception_ptr failure_;  ///< the first
 };
 
 }  // namespace experiments

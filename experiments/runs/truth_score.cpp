@@ -26,7 +26,7 @@ class Scorer {
       if (!in_map) tracks_[objects[i].id].last.reset();  // its stay in the map has ended
     }
     for (std::size_t i = 0; i < frame.clusters.size(); ++i) {
-      if (!cluster_matched[i] && frame.clusters[i].cluster.dynamic) {
+      if (!cluster_matched[i] && frame.clusters[i].dynamic) {
         ++score_.dynamic_without_object;
       }
     }
@@ -55,7 +55,7 @@ class Scorer {
       const Eigen::Vector3d half = objects[o].size / 2;
       const Eigen::AlignedBox3d box(objects[o].position - half, objects[o].position + half);
       for (std::size_t c = 0; c < frame.clusters.size(); ++c) {
-        const Eigen::Vector3d centroid = frame.clusters[c].cluster.position.cast<double>();
+        const Eigen::Vector3d& centroid = frame.clusters[c].position;
         if (box.exteriorDistance(centroid) > gate_) continue;
         result.push_back({(centroid - objects[o].position).norm(), o, c});
       }
@@ -78,15 +78,15 @@ class Scorer {
   /// An object whose centre is out of the map is not judged by the part of it within.
   void add_match(const TruthObject& object, const RunCluster& found,
                  const Eigen::AlignedBox3d& map) {
-    if (found.cluster.dynamic && !object.dynamic) ++score_.dynamic_on_static;
+    if (found.dynamic && !object.dynamic) ++score_.dynamic_on_static;
     if (!map.contains(object.position)) return;
     Tracks& tracks = tracks_[object.id];
     const bool switched = tracks.last && *tracks.last != found.track;
     tracks.all.insert(found.track);
     tracks.last = found.track;
     for (ObjectScore* score : {&count(object).score, &sum_of(object.dynamic)}) {
-      score->position_error.add((found.cluster.position.cast<double>() - object.position).norm());
-      score->velocity_error.add((found.cluster.velocity.cast<double>() - object.velocity).norm());
+      score->position_error.add((found.position - object.position).norm());
+      score->velocity_error.add((found.velocity - object.velocity).norm());
       if (switched) ++score->switches;
     }
   }

@@ -55,6 +55,10 @@ class TruthReader {
     csv_.go_to(column);
     return csv_.integer(min, max);
   }
+  bool flag(std::size_t column) {
+    csv_.go_to(column);
+    return csv_.boolean();
+  }
   double number(std::size_t column) {
     csv_.go_to(column);
     return csv_.number();
@@ -67,7 +71,7 @@ class TruthReader {
     constexpr std::int64_t kMax = std::numeric_limits<std::int64_t>::max();
     const std::int64_t frame = integer(frame_, 0, kMax);
     TruthObject object{.id = integer(id_, -kMax, kMax),
-                       .dynamic = dynamic_ && integer(*dynamic_, 0, 1) == 1,
+                       .dynamic = dynamic_ && flag(*dynamic_),
                        .position = vector(position_),
                        .velocity = vector(velocity_),
                        .size = vector(size_)};

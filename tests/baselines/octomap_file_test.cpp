@@ -30,7 +30,7 @@ ldm::LocalMap some_map() {
 TEST(OctomapFile, ReadsBackAsTheSameOccupiedAndFreeVoxels) {
   const ldm::LocalMap map = some_map();
   const std::filesystem::path file = some_file();
-  write_bt(map, file);
+  write_bt(map, "origin_m 1 2 3", file);
   octomap::OcTree tree(file.string());
   std::filesystem::remove(file);
 
@@ -58,8 +58,8 @@ TEST(OctomapFile, ReadsBackAsTheSameOccupiedAndFreeVoxels) {
 TEST(OctomapFile, RefusesWhatTheTreeCannotHold) {
   ldm::LocalMap map = some_map();
   map.window.origin.x() = 32761;
-  EXPECT_THROW(write_bt(map, some_file()), ldm::InvalidInput);
-  EXPECT_THROW(write_bt(some_map(), "/none/a.bt"), std::runtime_error);
+  EXPECT_THROW(write_bt(map, "", some_file()), ldm::InvalidInput);
+  EXPECT_THROW(write_bt(some_map(), "", "/none/a.bt"), std::runtime_error);
 }
 
 }  // namespace

@@ -141,7 +141,9 @@ TEST_F(Program, ARecordedLogRunsLikeItsScenario) {
 
 TEST_F(Program, RefusesBadRuns) {
   expect_bad("run kalman scenario1 -o o", "unknown method kalman: allowed: ldm");
-  expect_bad("run ldm moon -o o", "unknown scenario moon: allowed: a .toml file, outdoor1");
+  expect_bad(
+      "run ldm moon -o o",
+      "moon: no such recording or scenario: allowed: a file or folder that is there, a .toml");
   expect_bad("run ldm scenario1 -o o --set map.colour=3", "--set: unknown parameter map.colour");
   expect_bad("run ldm scenario1 -o o --set map.voxels=4", "--set: map.voxels = 4: allowed: ");
   expect_bad("run ldm scenario1 -o o --set particles.count=1.5", "particles.count = 1.5");

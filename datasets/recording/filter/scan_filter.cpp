@@ -95,7 +95,7 @@ InputCounts ScanFilter::counts() const {
   add(counts.points_dropped, "farther than input.max_range_m", counts_.far);
   add(counts.points_dropped, "on the vehicle", counts_.on_vehicle);
   add(counts.points_dropped, "on the ground", counts_.on_ground);
-  add(counts.other, "frames in which no ground was found", counts_.no_ground);
+  add(counts.other, InputCounts::kNoGround, counts_.no_ground);
   return counts;
 }
 

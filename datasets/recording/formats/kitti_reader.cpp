@@ -1,12 +1,12 @@
 #include "datasets/recording/formats/kitti_reader.h"
 
-#include <algorithm>
 #include <bit>
-#include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "datasets/quaternion_pose.h"
 #include "datasets/recording/formats/scan_folder_reader.h"
+#include "datasets/recording/formats/scan_names.h"
 #include "datasets/recording/scans/broken_frame.h"
 
 namespace datasets {
@@ -17,83 +17,88 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "scans are read as they lie in the file");
 
 constexpr std::string_view kScanEnding = ".bin";
-constexpr std::size_t kMaxDigits = 12;
 
-/// How the scans of a folder are numbered.
-struct Numbering {
-  std::int64_t count = 0;  ///< the number after the last
-  std::size_t digits = 0;
+float number_at(const std::string& content, std::size_t index) {
+  float number = 0;
+  std::memcpy(&number, content.data() + sizeof number * index, sizeof number);
+  return number;
+}
+
+/// True if every fifth number may be that of a ring.
+bool has_rings(const std::string& content) {
+  constexpr float kMostRings = 256;
+  for (std::size_t i = 4; i < content.size() / sizeof(float); i += 5) {
+    const float ring = number_at(content, i);
+    if (!(ring >= 0 && ring < kMostRings && ring == std::floor(ring))) return false;
+  }
+  return true;
+}
+
+/// True if every fourth number may be an intensity.
+bool has_intensities(const std::string& content) {
+  for (std::size_t i = 3; i < content.size() / sizeof(float); i += 4) {
+    if (!(number_at(content, i) >= 0)) return false;
+  }
+  return true;
+}
+
+/// How many floats a point has, by the first scan. A file of any number of points in 32 rings may
+/// be one of four floats by its size.
+std::size_t columns_of(const std::string& content, const std::string& name) {
+  constexpr std::size_t kFour = 4 * sizeof(float), kFive = 5 * sizeof(float);
+  const bool four = content.size() % kFour == 0;
+  if (content.empty() || content.size() % kFive != 0 || !has_rings(content)) return 4;
+  if (!four || !has_intensities(content)) return 5;
+  throw ldm::InvalidInput(name +
+                          ": its points may have 4 or 5 numbers: allowed: --set "
+                          "input.bin_columns=4 (KITTI) or 5 (nuScenes)");
+}
+
+/// Reads one scan after the other.
+class BinLoader {
+ public:
+  explicit BinLoader(BinColumns columns) {
+    if (columns != BinColumns::kAuto) columns_ = columns == BinColumns::kFour ? 4 : 5;
+  }
+  void operator()(const fs::path& file, std::vector<ldm::Point>& points) {
+    read_scan_file(file, content_);
+    if (columns_ == 0) columns_ = columns_of(content_, file.string());
+    parse_kitti_scan(content_, file.string(), columns_, points);
+  }
+
+ private:
+  std::size_t columns_ = 0;  // 0: not known yet
+  std::string content_;
 };
-
-/// @throws ldm::InvalidInput if there is no scan, or one whose name is no number.
-Numbering numbering_of(const fs::path& folder) {
-  Numbering result;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() != kScanEnding) continue;
-    const std::string stem = entry.path().stem().string();
-    std::int64_t number = -1;
-    const auto [end, bad] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
-    if (bad != std::errc{} || end != stem.data() + stem.size() || number < 0 ||
-        stem.size() > kMaxDigits || (result.digits != 0 && result.digits != stem.size())) {
-      throw ldm::InvalidInput(entry.path().string() +
-                              ": allowed: numbers of equally many digits as names of scans");
-    }
-    result = {std::max(result.count, number + 1), stem.size()};
-  }
-  if (error) {
-    throw ldm::InvalidInput(folder.string() + ": cannot be read (" + error.message() + ")");
-  }
-  if (result.count == 0) throw ldm::InvalidInput(folder.string() + ": has no scans (NUMBER.bin)");
-  return result;
-}
-
-fs::path scan_file(const fs::path& folder, std::int64_t number, std::size_t digits) {
-  const std::string text = std::to_string(number);
-  std::string name(digits - std::min(digits, text.size()), '0');
-  return folder / name.append(text).append(kScanEnding);
-}
 
 }  // namespace
 
 std::unique_ptr<ScanReader> open_kitti(const fs::path& folder, const RecordingOptions& options) {
   ScanFolder scans;
-  const fs::path velodyne = folder / "velodyne";
-  const Numbering numbering = numbering_of(velodyne);
-  scans.scans = numbering.count;
-  scans.file_of = [velodyne, digits = numbering.digits](std::int64_t number) {
-    return scan_file(velodyne, number, digits);
-  };
-  scans.load = [content = std::string()](const fs::path& file,
-                                         std::vector<ldm::Point>& points) mutable {
-    read_scan_file(file, content);
-    parse_kitti_scan(content, file.string(), points);
-  };
+  scans.folder = folder / "velodyne";
+  scans.names = scan_names(scans.folder, kScanEnding);
+  scans.load = BinLoader(options.input.bin_columns);
   scans.timeline = timeline_files(folder, options);
-  scans.poses_of = options.input.poses_of;
-  if (const fs::path calibration = folder / "calib.txt"; fs::exists(calibration)) {
-    if (scans.poses_of == PosesOf::kVehicle) {
-      throw ldm::InvalidInput(calibration.string() +
-                              ": the poses are those of its camera: allowed: input.poses_of = "
-                              "sensor, or no such file");
-    }
+  const PosesOf of = options.input.poses_of;
+  const bool camera = of == PosesOf::kAuto || of == PosesOf::kCamera;
+  if (const fs::path calibration = folder / "calib.txt"; camera && fs::exists(calibration)) {
     scans.T_sensor_camera = inverse(read_kitti_calibration(calibration));
   }
-  return std::make_unique<ScanFolderReader>(std::move(scans), options.input, !options.keep_going);
+  return std::make_unique<ScanFolderReader>(std::move(scans), options);
 }
 
-void parse_kitti_scan(const std::string& content, const std::string& name,
+void parse_kitti_scan(const std::string& content, const std::string& name, std::size_t columns,
                       std::vector<ldm::Point>& points) {
-  constexpr std::size_t kPointBytes = 4 * sizeof(float);
-  if (content.empty() || content.size() % kPointBytes != 0) {
+  const std::size_t point_bytes = columns * sizeof(float);
+  if (content.empty() || content.size() % point_bytes != 0) {
     throw BrokenFrame("broken scan", name + ": byte " + std::to_string(content.size()) +
-                                         ": the file ends: allowed: 16 bytes for each point");
+                                         ": the file ends: allowed: " +
+                                         std::to_string(point_bytes) + " bytes for each point");
   }
-  points.reserve(points.size() + content.size() / kPointBytes);
-  for (std::size_t at = 0; at < content.size(); at += kPointBytes) {
-    float xyz[3];
-    std::memcpy(xyz, content.data() + at, sizeof xyz);
-    points.emplace_back(xyz[0], xyz[1], xyz[2]);
+  points.reserve(points.size() + content.size() / point_bytes);
+  for (std::size_t i = 0; i < content.size() / sizeof(float); i += columns) {
+    points.emplace_back(number_at(content, i), number_at(content, i + 1),
+                        number_at(content, i + 2));
   }
 }
 

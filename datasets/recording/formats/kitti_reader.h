@@ -10,18 +10,21 @@
 
 namespace datasets {
 
-/// FOLDER/velodyne/NUMBER.bin, FOLDER/times.txt, FOLDER/poses.txt and, optional, FOLDER/calib.txt.
-/// With the latter, whose line `Tr:` maps Velodyne to camera coordinates, the poses are those of
-/// the camera, as KITTI's are; without it those of the sensor. The world is the sensor's frame
+/// FOLDER/velodyne/*.bin in the natural order of their names, FOLDER/times.txt, FOLDER/poses.txt
+/// and, optional, FOLDER/calib.txt. With the latter, whose line `Tr:` maps Velodyne to camera
+/// coordinates, the poses are those of the camera, as KITTI's are, unless input.poses_of says
+/// otherwise; without it those of the sensor. The world is the sensor's frame
 /// where the pose is the identity: x forward, y left, z up.
 /// @throws ldm::InvalidInput naming the file that is missing, cannot be read, or has lines too few.
 std::unique_ptr<ScanReader> open_kitti(const std::filesystem::path& folder,
                                        const RecordingOptions& options);
 
-/// Little-endian floats x, y, z, intensity of each point; appends to `points` [m].
+/// Little-endian floats of each point, of which the first three are x, y, z; appends to `points`
+/// [m].
 /// @param name for messages
+/// @param columns floats of each point
 /// @throws BrokenFrame if the file is empty or ends in the middle of a point.
-void parse_kitti_scan(const std::string& content, const std::string& name,
+void parse_kitti_scan(const std::string& content, const std::string& name, std::size_t columns,
                       std::vector<ldm::Point>& points);
 
 /// Velodyne to camera coordinates, from the line `Tr:` or `Tr_velo_to_cam:` of a calib.txt.

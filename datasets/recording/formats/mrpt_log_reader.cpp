@@ -43,7 +43,7 @@ class MrptLogReader : public ScanReader {
     if (waiting_.empty()) {
       if (damaged_) {
         damaged_ = false;
-        throw BrokenFrame("broken log", place(objects_) + ": the log is cut short or damaged");
+        throw BrokenFrame("broken log", place(objects_) + ": " + archive_.failure());
       }
       if (frames_ == 0) reject_empty();
       return false;
@@ -61,6 +61,7 @@ class MrptLogReader : public ScanReader {
   InputCounts counts() const override {
     InputCounts counts;
     if (others_ > 0) counts.other["other observations in the log"] = others_;
+    counts.other_sensors = other_sensors_;
     return counts;
   }
 
@@ -100,6 +101,9 @@ class MrptLogReader : public ScanReader {
   /// An observation of no use is counted, and so is what is none: an action, a comment.
   void take(const CObservation::Ptr& observation) {
     if (!observation || !(take_scan(observation) || take_pose(*observation))) ++others_;
+    if (observation && is_scan(*observation) && !is_of(scan_kind_, *observation)) {
+      ++other_sensors_[kind_of(*observation)];
+    }
   }
 
   bool take_scan(const CObservation::Ptr& observation) {
@@ -185,6 +189,7 @@ class MrptLogReader : public ScanReader {
   std::int64_t objects_ = 0;  // read so far
   std::int64_t frames_ = 0;
   std::int64_t others_ = 0;
+  InputCounts::ByReason other_sensors_;
   bool ended_ = false, damaged_ = false;
   std::string scan_kind_, pose_kind_, place_;
   std::deque<Waiting> waiting_;
@@ -199,6 +204,10 @@ std::unique_ptr<ScanReader> open_mrpt_log(const fs::path& rawlog, const Recordin
     if (!file) continue;
     throw ldm::InvalidInput(std::string(option) + " " + file->string() +
                             ": allowed: with a folder of scans; an MRPT log has its own");
+  }
+  if (options.time_unit) {
+    throw ldm::InvalidInput(
+        "--time-unit: allowed: with a folder of scans; an MRPT log has its own");
   }
   return std::make_unique<MrptLogReader>(rawlog, options.input);
 }

@@ -2,11 +2,14 @@
 /// Recordings as a folder of PCD files (no paper section).
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "datasets/recording/scans/recording_options.h"
 #include "datasets/recording/scans/scan_reader.h"
 
 namespace datasets {
+
+inline constexpr std::string_view kPcdEnding = ".pcd";
 
 /// FOLDER/*.pcd, in the natural order of their names (2.pcd before 10.pcd), with a trajectory in
 /// FOLDER/poses.txt: TUM's, interpolated at the times of FOLDER/times.txt or with a line a scan, or
@@ -14,8 +17,5 @@ namespace datasets {
 /// @throws ldm::InvalidInput naming the file that is missing, cannot be read, or has lines too few.
 std::unique_ptr<ScanReader> open_pcd_folder(const std::filesystem::path& folder,
                                             const RecordingOptions& options);
-
-/// True if a stands before b: numbers in names count by their value.
-bool natural_less(std::string_view a, std::string_view b);
 
 }  // namespace datasets

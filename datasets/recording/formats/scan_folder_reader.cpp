@@ -1,45 +1,60 @@
 #include "datasets/recording/formats/scan_folder_reader.h"
 
-#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 
+#include "datasets/recording/formats/scan_names.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/sensor_mount.h"
 
 namespace datasets {
 
-ScanFolderReader::ScanFolderReader(ScanFolder folder, const InputParameters& parameters,
-                                   bool complete)
+ScanFolderReader::ScanFolderReader(ScanFolder folder, const RecordingOptions& options)
     : folder_(std::move(folder)),
-      T_uav_sensor_(mount_of(parameters.sensor)),
-      timeline_(folder_.timeline, parameters),
-      frames_(folder_.scans) {
-  if (complete) {
-    timeline_.check_length(frames_);
-  } else {
-    frames_ = std::max(frames_, timeline_.longest());
+      T_uav_sensor_(mount_of(options.input.sensor)),
+      // At rest it is the vehicle that stands at the origin, whatever poses would be.
+      poses_of_(options.input.poses == PoseSource::kStill ? PosesOf::kVehicle
+                                                          : options.input.poses_of),
+      timeline_(folder_.timeline, options.input, options.time_unit) {
+  if (poses_of_ == PosesOf::kCamera && !folder_.T_sensor_camera) {
+    throw ldm::InvalidInput("input.poses_of = camera: allowed: in a KITTI folder with a calib.txt");
   }
+  const auto [file, lines] = timeline_.lines();
+  auto scans = scan_of_each_line(folder_.names, lines);
+  if (!scans) {
+    throw ldm::InvalidInput(file.string() + ": " + std::to_string(lines) + " lines: allowed: " +
+                            std::to_string(folder_.names.size()) + ", one for each scan of " +
+                            folder_.folder.string() + ": nothing tells which belongs to which");
+  }
+  folder_.names = std::move(*scans);
 }
 
 bool ScanFolderReader::next(Frame& frame) {
-  if (next_ == frames_) return false;
+  if (static_cast<std::size_t>(next_) == folder_.names.size()) return false;
   frame.index = next_++;
   frame.truth.reset();
   timeline_.advance();
-  if (frame.index >= folder_.scans) {
-    throw BrokenFrame("missing scan", timeline_.place() + ": there is no scan number " +
-                                          std::to_string(frame.index) +
-                                          ": allowed: " + std::to_string(folder_.scans) + " lines");
+  const std::string& name = folder_.names[static_cast<std::size_t>(frame.index)];
+  if (name.empty()) {
+    throw BrokenFrame("missing scan", timeline_.place() + ": its scan is missing in " +
+                                          folder_.folder.string() +
+                                          ": allowed: a scan for each line");
   }
   const StampedPose stamped = timeline_.read();
   frame.scan.time = stamped.time;
-  // T_world_camera as seen from the sensor: the world's axes are then the first sensor's as well.
-  const ldm::Pose pose =
-      composed(composed(folder_.T_sensor_camera, stamped.pose), inverse(folder_.T_sensor_camera));
-  set_poses(pose, folder_.poses_of, T_uav_sensor_, frame.scan);
+  set_poses(sensor_or_vehicle(stamped.pose), poses_of_, T_uav_sensor_, frame.scan);
   frame.scan.points.clear();
   frame.scan.no_returns.clear();
-  folder_.load(folder_.file_of(frame.index), frame.scan.points);
+  folder_.load(folder_.folder / name, frame.scan.points);
   return true;
+}
+
+ldm::Pose ScanFolderReader::sensor_or_vehicle(const ldm::Pose& pose) const {
+  const bool camera = poses_of_ == PosesOf::kCamera || poses_of_ == PosesOf::kAuto;
+  if (!camera || !folder_.T_sensor_camera) return pose;
+  // T_world_camera as seen from the sensor: the world's axes are then the first sensor's as well.
+  return composed(composed(*folder_.T_sensor_camera, pose), inverse(*folder_.T_sensor_camera));
 }
 
 TimelineFiles timeline_files(const std::filesystem::path& folder, const RecordingOptions& options) {
@@ -68,9 +83,13 @@ void read_scan_file(const std::filesystem::path& file, std::string& content) {
                                          " bytes: allowed: at most 2 GB");
   }
   content.resize(size);
-  const std::unique_ptr<std::istream> stream = open_file(file);
-  stream->read(content.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream->gcount()) != size) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw BrokenFrame("unreadable scan",
+                      file.string() + ": cannot be read (" + std::strerror(errno) + ")");
+  }
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
     throw BrokenFrame("broken scan", file.string() + ": cannot be read to its end");
   }
 }

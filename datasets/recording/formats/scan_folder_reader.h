@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "datasets/recording/scans/recording_options.h"
@@ -14,31 +16,34 @@ namespace datasets {
 
 /// What tells the formats apart.
 struct ScanFolder {
-  std::int64_t scans = 0;  ///< number of scan files, or the number after that of the last
-  std::function<std::filesystem::path(std::int64_t)> file_of;
+  std::filesystem::path folder;
+  std::vector<std::string> names;  ///< of the scans in it, in their order
   /// Reads the points of one file, in the order of the file; throws BrokenFrame.
   std::function<void(const std::filesystem::path&, std::vector<ldm::Point>&)> load;
   TimelineFiles timeline;
-  ldm::Pose T_sensor_camera;  ///< the poses are those of a camera that sits here
-  PosesOf poses_of = PosesOf::kSensor;
+  std::optional<ldm::Pose> T_sensor_camera;  ///< the poses are those of a camera that sits here
 };
 
 class ScanFolderReader : public ScanReader {
  public:
-  /// @param complete files that do not fit together are refused at once, not frame by frame
-  /// @throws ldm::InvalidInput if a file cannot be read or, if `complete`, has lines too few or
-  ///   too many.
-  ScanFolderReader(ScanFolder folder, const InputParameters& parameters, bool complete);
+  /// @throws ldm::InvalidInput if a file cannot be read, or has lines too few or too many, of which
+  ///   nothing tells which.
+  ScanFolderReader(ScanFolder folder, const RecordingOptions& options);
 
   bool next(Frame& frame) override;
-  std::optional<std::int64_t> size() const override { return frames_; }
+  std::optional<std::int64_t> size() const override {
+    return static_cast<std::int64_t>(folder_.names.size());
+  }
   std::string place() const override { return timeline_.place(); }
 
  private:
+  /// Of a pose of the trajectory: the sensor's or the vehicle's.
+  ldm::Pose sensor_or_vehicle(const ldm::Pose& pose) const;
+
   ScanFolder folder_;
   ldm::Pose T_uav_sensor_;
+  PosesOf poses_of_;
   ScanTimeline timeline_;
-  std::int64_t frames_;
   std::int64_t next_ = 0;
 };
 

@@ -19,8 +19,21 @@ enum class PoseSource {
 inline constexpr std::string_view kPoseSourceNames[] = {"log", "odometry", "still"};
 
 /// Whose poses a trajectory file holds.
-enum class PosesOf { kSensor, kVehicle };
-inline constexpr std::string_view kPosesOfNames[] = {"sensor", "vehicle"};
+enum class PosesOf {
+  kAuto,  ///< the camera's in a KITTI folder with a calib.txt, else the sensor's
+  kSensor,
+  kVehicle,
+  kCamera,  ///< that of calib.txt
+};
+inline constexpr std::string_view kPosesOfNames[] = {"auto", "sensor", "vehicle", "camera"};
+
+/// How many floats each point of a .bin file has.
+enum class BinColumns {
+  kAuto,  ///< found by the files' sizes and the look of the fifth number
+  kFour,  ///< KITTI: x, y, z, intensity
+  kFive,  ///< nuScenes: and the ring
+};
+inline constexpr std::string_view kBinColumnsNames[] = {"auto", "4", "5"};
 
 enum class GroundRemoval {
   kNone,
@@ -67,7 +80,8 @@ struct RotatingScanParameters {
 
 struct InputParameters {
   PoseSource poses = PoseSource::kLog;
-  PosesOf poses_of = PosesOf::kSensor;
+  PosesOf poses_of = PosesOf::kAuto;
+  BinColumns bin_columns = BinColumns::kAuto;
   double pose_gap = 1;  // [s]
   SensorMountParameters sensor;
   BodyParameters body;
@@ -85,9 +99,13 @@ void visit_parameters(
   visit(Info{"input.poses", "", "", 0, 2, kSource,
              "poses: of the log, of its wheels (MRPT), or none: the vehicle stands still"},
         p.poses, kPoseSourceNames);
-  visit(Info{"input.poses_of", "", "", 0, 1, kSource,
-             "whose poses a trajectory file holds; with a calib.txt, the camera's"},
+  visit(Info{"input.poses_of", "", "", 0, 3, kSource,
+             "whose poses a trajectory file holds; auto: the camera's of a calib.txt, or the "
+             "sensor's"},
         p.poses_of, kPosesOfNames);
+  visit(Info{"input.bin_columns", "", "", 0, 2, kSource,
+             "floats of each point in .bin files: x, y, z, intensity and, if 5, the ring"},
+        p.bin_columns, kBinColumnsNames);
   visit(Info{"input.pose_gap_s", "", "s", 0.001, 3600, kSource,
              "longest gap between two poses that may be bridged for a scan between them"},
         p.pose_gap);

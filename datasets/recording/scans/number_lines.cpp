@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "datasets/recording/scans/broken_frame.h"
@@ -21,6 +22,22 @@ std::string_view next_word(std::string_view& rest) {
   const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
   rest.remove_prefix(word.size());
   return word;
+}
+
+/// The finite number that a word is.
+std::optional<double> number_in(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+bool is_of_words(std::string_view line) {
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+    if (number_in(word)) return false;
+  }
+  return true;
 }
 
 bool is_data(std::string_view line) {
@@ -48,27 +65,31 @@ NumberLines::NumberLines(std::unique_ptr<std::istream> stream, std::string name)
     : stream_(std::move(stream)), name_(std::move(name)) {}
 
 bool NumberLines::advance() {
-  do {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  while (std::getline(*stream_, line_)) {
     ++line_number_;
-    if (!std::getline(*stream_, line_)) {
-      line_.clear();
-      return false;
+    if (line_number_ == 1 && line_.starts_with(kByteOrderMark)) {
+      line_.erase(0, kByteOrderMark.size());
     }
-  } while (!is_data(line_));
-  return true;
+    if (!is_data(line_)) continue;
+    const bool header = !begun_ && is_of_words(line_);
+    begun_ = true;
+    if (!header) return true;
+  }
+  ++line_number_;
+  line_.clear();
+  return false;
 }
 
 const std::vector<double>& NumberLines::numbers(std::size_t count, const std::string& reason) {
   numbers_.clear();
   std::string_view rest = line_;
   for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
-    if (word.front() == '+') word.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
+    const std::optional<double> value = number_in(word);
+    if (!value) {
       reject(reason, std::string(word.substr(0, kLongestShown)) + ": allowed: a finite number");
     }
-    numbers_.push_back(value);
+    numbers_.push_back(*value);
   }
   if (numbers_.size() != count) {
     reject(reason, std::to_string(numbers_.size()) + " numbers: allowed: " + std::to_string(count));

@@ -9,7 +9,8 @@
 
 namespace datasets {
 
-/// Reads such a file line by line; empty lines and those that begin with `#` do not count.
+/// Reads such a file line by line; empty lines and those that begin with `#` do not count, nor does
+/// a first line of words, or a byte order mark.
 class NumberLines {
  public:
   /// @throws ldm::InvalidInput if the file cannot be read.
@@ -38,6 +39,7 @@ class NumberLines {
   std::unique_ptr<std::istream> stream_;
   std::string name_;
   std::int64_t line_number_ = 0;
+  bool begun_ = false;  // a line that counts, or one of words, was there
   std::string line_;
   std::vector<double> numbers_;
 };

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "datasets/recording/scans/input_parameters.h"
+#include "datasets/recording/scans/time_unit.h"
 
 namespace datasets {
 
@@ -16,7 +17,9 @@ struct RecordingOptions {
   std::optional<RecordingFormat> format;       ///< absent: recognised
   std::optional<std::filesystem::path> poses;  ///< trajectory, if not FOLDER/poses.txt
   std::optional<std::filesystem::path> times;  ///< if not FOLDER/times.txt
+  std::optional<TimeUnit> time_unit;           ///< of those two files; absent: seconds, checked
   bool keep_going = false;                     ///< skip and count broken frames
+  double origin_step = 1;                      ///< `Frame::origin` is a multiple of this [m]
   InputParameters input;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "datasets/recording/scans/input_parameters.h"
+#include "datasets/recording/scans/time_unit.h"
 #include "datasets/recording/scans/trajectory.h"
 
 namespace datasets {
@@ -21,13 +22,18 @@ struct TimelineFiles {
 /// those of `times`; in any other case line k belongs to scan k.
 class ScanTimeline {
  public:
-  /// @throws ldm::InvalidInput if a file cannot be read, or there is no source of times or poses.
-  ScanTimeline(const TimelineFiles& files, const InputParameters& parameters);
+  /// @throws ldm::InvalidInput if a file cannot be read, if there is no source of times or poses,
+  /// or if the times look like another unit than `unit` or, by default, seconds.
+  ScanTimeline(const TimelineFiles& files, const InputParameters& parameters,
+               std::optional<TimeUnit> unit);
 
-  /// @throws ldm::InvalidInput naming the file whose number of lines is not `scans`.
-  void check_length(std::int64_t scans) const;
-  /// Largest number of scans that a file has a line for.
-  std::int64_t longest() const;
+  /// The file that has a line for each scan, and how many it has.
+  /// @throws ldm::InvalidInput if there are two such files, and they have not equally many.
+  struct Lines {
+    std::filesystem::path file;
+    std::int64_t count = 0;
+  };
+  Lines lines() const;
 
   /// To the next scan (in the beginning, to the first).
   void advance();
@@ -43,9 +49,9 @@ class ScanTimeline {
 
   TimelineFiles files_;
   double longest_gap_;
+  double unit_ = 1;  // of the times [s]
   std::optional<NumberLines> times_;
   std::optional<TrajectoryFile> trajectory_;
-  bool has_time_ = true, has_pose_ = true;  // the files have a line for the scan
   PoseTrack track_;
 };
 

@@ -19,10 +19,10 @@ inline ldm::Pose mount_of(const SensorMountParameters& p) {
           {p.x, p.y, p.z}};
 }
 
-/// @param pose in the world, of the sensor or of the vehicle as `of` says
+/// @param pose in the world: of the vehicle if `of` says so, else of the sensor
 inline void set_poses(const ldm::Pose& pose, PosesOf of, const ldm::Pose& T_uav_sensor,
                       ldm::Scan& scan) {
-  const bool sensor = of == PosesOf::kSensor;
+  const bool sensor = of != PosesOf::kVehicle;
   scan.T_world_sensor = sensor ? pose : composed(pose, T_uav_sensor);
   scan.T_world_uav = sensor ? composed(pose, inverse(T_uav_sensor)) : pose;
 }

@@ -10,7 +10,6 @@
 namespace datasets {
 namespace {
 
-constexpr std::size_t kTumNumbers = 8;
 constexpr char kBadPose[] = "bad pose";
 
 }  // namespace
@@ -47,8 +46,9 @@ TrajectoryFile::TrajectoryFile(NumberLines lines) : lines_(std::move(lines)) {
   const std::size_t words = lines_.words();
   has_times_ = words == kTumNumbers;
   if (words == kTumNumbers || words == kKittiNumbers) return;
-  throw ldm::InvalidInput(lines_.place() + ": " + std::to_string(words) +
-                          " numbers: allowed: 8 (TUM: time x y z qx qy qz qw) or 12 (KITTI)");
+  throw ldm::InvalidInput(
+      lines_.place() + ": " + std::to_string(words) +
+      " numbers: allowed: 8 (TUM: time x y z qx qy qz qw) or 12 (KITTI), between blanks");
 }
 
 bool TrajectoryFile::advance() {

@@ -32,6 +32,8 @@ std::optional<ldm::Pose> kitti_pose(const std::vector<double>& numbers);
 /// 3 x 4 matrix, without a time). Lengths in metres, times in seconds.
 class TrajectoryFile {
  public:
+  static constexpr std::size_t kTumNumbers = 8;
+
   /// The first line tells which of the two it is.
   /// @throws ldm::InvalidInput if the file cannot be read, or its first line is neither.
   explicit TrajectoryFile(const std::filesystem::path& file);

@@ -36,6 +36,10 @@ class RecordingFolder : public testing::Test {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
     return file;
   }
+  std::string read(const std::string& name) const {
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
   void append(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary | std::ios::app) << content;
   }

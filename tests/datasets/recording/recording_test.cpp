@@ -41,6 +41,41 @@ TEST_F(Recordings, AFormatMayBeGiven) {
   EXPECT_EQ(frames().at(0).scan.points.at(0), ldm::Point(7, 8, 9));
 }
 
+TEST_F(Recordings, CoordinatesOfACountryBecomeRelativeToAnOrigin) {
+  write_drive(2);
+  write("poses.txt",
+        "1 0 0 500000.25 0 1 0 -5400000.375 0 0 1 30\n"
+        "1 0 0 500001.25 0 1 0 -5400000.375 0 0 1 30\n");
+  options_.origin_step = 0.5;
+  const std::vector<Frame> all = frames();
+  ASSERT_EQ(all.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(all[k].origin, Eigen::Vector3d(500000.5, -5400000.5, 0));
+    const Eigen::Vector3d place(-0.25 + static_cast<double>(k), 0.125, 30);
+    EXPECT_EQ(all[k].scan.T_world_uav.translation, place);
+    EXPECT_EQ(all[k].scan.T_world_sensor.translation, place);
+  }
+  EXPECT_EQ(origin_text(all[0]), "origin_m 500000.5 -5400000.5 0");
+  write_drive(2);
+  EXPECT_EQ(origin_text(frames().at(0)), "");
+}
+
+TEST(InputCountsTest, TellLossesInALineEach) {
+  InputCounts counts;
+  EXPECT_TRUE(counts.losses(5, 0).empty());
+  counts.points_dropped = {{"not finite", 3}, {"farther than input.max_range_m", 7}};
+  counts.other = {{InputCounts::kNoGround, 4}};
+  EXPECT_TRUE(counts.losses(5, 10).empty());
+  counts.other_sensors = {{"CObservationPointCloud `rear`", 9}};
+  counts.frames_skipped = {{"no pose", 2}};
+  EXPECT_EQ(
+      counts.losses(4, 0),
+      (std::vector<std::string>{"2 frames skipped: 2 no pose",
+                                "9 scans of another sensor left out: CObservationPointCloud `rear`",
+                                "no point was used: 7 farther than input.max_range_m, 3 not finite",
+                                "no ground was found in any frame: all points were used"}));
+}
+
 class OwnLog : public Rawlog {
  protected:
   std::size_t read(RecordingOptions options, InputCounts& counts) {

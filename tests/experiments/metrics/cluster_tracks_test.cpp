@@ -74,14 +74,23 @@ TEST(ClusterTracks, OutlastAnOcclusionOfThreeSeconds) {
 TEST(ClusterTracks, EndInTimeAndAreNeverUsedAgain) {
   ClusterTracks tracks;
   for (double t = 0; t < 1; t += kFrame) tracks.next(t, {person(0)});
+  for (int k = 1; k <= ClusterTracks::kMemoryFrames; ++k) tracks.next(1 + kFrame * k, {});
   EXPECT_EQ(tracks.next(1.1 + ClusterTracks::kMemory, {person(0)}), Ids{2});
 }
 
 TEST(ClusterTracks, SeenForAMomentOnlyAreForgottenSoon) {
   ClusterTracks tracks;
   tracks.next(0, {person(0)});
-  tracks.next(kFrame, {});
+  for (int k = 1; k < 10; ++k) tracks.next(kFrame * k, {});
   EXPECT_EQ(tracks.next(2, {person(0)}), Ids{2});
+}
+
+/// Scans at 1 Hz, or with stamps that count them.
+TEST(ClusterTracks, MemoryCountsInFramesToo) {
+  ClusterTracks tracks;
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(tracks.next(k, {person(0)}), Ids{1});
+  tracks.next(10, {});  // a track of 4 s, unseen for 6 s
+  EXPECT_EQ(tracks.next(11, {person(0)}), Ids{1});
 }
 
 TEST(ClusterTracks, TwoWhoMeetAndPartKeepTheirNumbers) {

@@ -38,7 +38,7 @@ TEST(ClusterColours, OutlastAnOcclusion) {
 TEST(ClusterColours, AreForgottenInTime) {
   ClusterColours colours(2);
   const auto before = colours.next(0, {cluster(), cluster(30)}, {1, 2});
-  colours.next(3, {cluster(30)}, {2});
+  for (const double time : {1, 2, 3}) colours.next(time, {cluster(30)}, {2});
   // The first was last seen 6 s ago: a third cluster may take its colour.
   EXPECT_EQ(colours.next(6, {cluster(30), cluster()}, {2, 3})[1], before[0]);
 }

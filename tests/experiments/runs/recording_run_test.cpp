@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/runs/run_folder.h"
 #include "tests/experiments/program.h"
 
 namespace experiments {
@@ -117,7 +118,96 @@ TEST_F(RecordingRun, BrokenFramesEndTheRunOrAreCounted) {
   EXPECT_NE(timing.find("\n3,"), std::string::npos) << timing;
   EXPECT_EQ(timing.find("\n2,"), std::string::npos) << timing;
   folder_.write("drive/poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
-  expect_bad(run, "drive/poses.txt: 1 lines: allowed: 4, one for each scan, or --keep-going");
+  for (const char* more : {"", " --keep-going"}) {
+    expect_bad(run + more, "drive/poses.txt: 1 lines: allowed: 4, as many as drive/times.txt has");
+  }
+}
+
+TEST_F(RecordingRun, WithoutAUsedFrameItFails) {
+  for (int k = 0; k < 4; ++k) {
+    std::filesystem::resize_file(
+        folder_.path() / ("drive/velodyne/00000" + std::to_string(k) + ".bin"), 10);
+  }
+  const Result result = ldm("run current_scan drive -o o --keep-going");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.error,
+            "ldm: 4 frames skipped: 4 broken scan\nldm: drive: no frame could be used\n");
+}
+
+TEST_F(RecordingRun, LossesAreTold) {
+  const Result result = ldm("run current_scan drive -o o --set input.min_range_m=500");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.error.rfind("ldm: no point was used: ", 0), 0u) << result.error;
+  EXPECT_EQ(lines(result.error), 1u);
+}
+
+/// Positions of floats would come in steps of half a metre.
+TEST_F(RecordingRun, CoordinatesOfACountryKeepTheirDecimals) {
+  const std::string run = "run ldm drive -c road --set execution.threads=1 --save-frames 3 -o ";
+  ASSERT_EQ(ldm(run + "near").code, 0);
+  std::string poses;
+  for (int k = 0; k < 4; ++k) {
+    poses += "1 0 0 " + std::to_string(600000 + 0.8 * k) + " 0 1 0 5400000 0 0 1 0\n";
+  }
+  folder_.write("drive/poses.txt", poses);
+  const Result result = ldm(run + "far");
+  EXPECT_EQ(result.code, 0) << result.error;
+  const auto centroid = [&](const std::string& folder) {
+    const auto frames = read_run_frames(folder_.path() / folder);
+    return frames.at(3).clusters.at(0).position;
+  };
+  const Eigen::Vector3d difference = centroid("far") - centroid("near");
+  EXPECT_NEAR(difference.x(), 600000, 1.5e-4);
+  EXPECT_NEAR(difference.y(), 5400000, 1.5e-4);
+  EXPECT_NE(folder_.read("far/summary.json").find("\"origin_m\": [600000.0,5400000.0,0.0]"),
+            std::string::npos);
+  const std::string ply = folder_.read("far/maps/frame_000003.occupied.ply");
+  EXPECT_NE(ply.find("\ncomment origin_m 600000 5400000 0\n"), std::string::npos);
+  EXPECT_EQ(ply.substr(ply.find("end_header")).size(),
+            folder_.read("near/maps/frame_000003.occupied.ply").size() -
+                folder_.read("near/maps/frame_000003.occupied.ply").find("end_header"));
+  EXPECT_NE(folder_.read("far/maps/frame_000003.bt").find("\n# origin_m 600000 5400000 0\n"),
+            std::string::npos);
+}
+
+TEST_F(RecordingRun, AMapThatCannotBeWrittenCostsNoTables) {
+  folder_.write("o/maps", "a file in the folder's place");
+  const Result result = ldm("run current_scan drive -o o --save-frames 2");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.error.find("o/maps"), std::string::npos) << result.error;
+  EXPECT_EQ(lines(folder_.read("o/frames.csv")), 5u);
+}
+
+TEST_F(RecordingRun, AFolderUsedAgainHoldsTheLastRunAlone) {
+  ASSERT_EQ(ldm("run current_scan drive -o o --save-frames 2,3").code, 0);
+  folder_.write("o/score.json", "{}");
+  folder_.write("o/notes.txt", "mine");
+  folder_.write("o/maps/mine.ply", "mine");
+  ASSERT_EQ(ldm("run current_scan drive -o o --frames 2 --save-frames 1 --save-as ply").code, 0);
+  EXPECT_FALSE(exists("o/score.json"));
+  EXPECT_FALSE(exists("o/maps/frame_000002.bt"));
+  EXPECT_TRUE(exists("o/maps/frame_000001.free.ply"));
+  std::filesystem::resize_file(folder_.path() / "drive/velodyne/000002.bin", 10);
+  EXPECT_EQ(ldm("run current_scan drive -o o").code, 2);
+  for (const char* name : {"clusters.csv", "frames.csv", "timing.csv", "summary.json"}) {
+    EXPECT_FALSE(exists("o/" + std::string(name))) << name;
+  }
+  EXPECT_FALSE(exists("o/maps/frame_000001.free.ply"));
+  EXPECT_TRUE(exists("o/maps/mine.ply"));
+  EXPECT_TRUE(exists("o/notes.txt"));
+}
+
+TEST_F(RecordingRun, FoldersWithNamesInLatin1) {
+  std::filesystem::rename(folder_.path() / "drive", folder_.path() /
+                                                        "Stra\xdf"
+                                                        "e");
+  EXPECT_EQ(ldm("run current_scan './Stra\xdf"
+                "e' -o o")
+                .code,
+            0);
+  expect_in_summary(
+      "\"input\": \"./Stra\xef\xbf\xbd"
+      "e\"");
 }
 
 TEST_F(RecordingRun, OptionsWithoutAnEffectAreRefused) {
@@ -127,6 +217,8 @@ TEST_F(RecordingRun, OptionsWithoutAnEffectAreRefused) {
   expect_bad("run ldm scenario1 -o o --keep-going", "--keep-going: allowed: with a log");
   expect_bad("run ldm scenario1 -o o --poses p.txt", "--poses p.txt: allowed: with a recording");
   expect_bad("run ldm scenario1 -o o --times t.txt", "--times t.txt: allowed: with a recording");
+  expect_bad("run ldm scenario1 -o o --time-unit ms", "--time-unit ms: allowed: with a recording");
+  expect_bad("run ldm drive -o o --time-unit h", "--time-unit h: allowed: s, ms, us, ns");
   expect_bad("run ldm drive --seed 3 -o o", "--seed 3: allowed: with a scenario");
   ASSERT_EQ(ldm("simulate scenario1 --frames 2 -o a.rawlog").code, 0);
   expect_bad("run ldm a.rawlog -o o --set input.ground.removal=plane", "allowed: with a recording");
@@ -143,6 +235,8 @@ TEST_F(RecordingRun, BadInputsNameWhatIsAllowed) {
              "input.min_range_m = 9: allowed: at most input.max_range_m = 8");
   expect_bad("run ldm drive -o o --set input.colour=red", "unknown parameter input.colour");
   std::filesystem::create_directory(folder_.path() / "empty");
+  expect_bad("run ldm empty -c road -o o", "empty: no recording: allowed: a KITTI folder");
+  expect_bad("run ldm driev -c road -o o", "driev: no such recording or scenario: allowed: a file");
   expect_bad("run ldm ./empty -o o", "./empty: no recording: allowed: a KITTI folder");
 }
 

@@ -50,7 +50,7 @@ TEST_F(Program, RefusesBadRenders) {
   expect_bad("render ldm scenario1 --frame 1200 -o a.png",
              "--frame 1200: allowed: 0 to 1199, the frames of scenario1");
   expect_bad("render kalman scenario1 --frame 0 -o a.png", "unknown method kalman: allowed: ldm");
-  expect_bad("render ldm moon --frame 0 -o a.png", "unknown scenario moon");
+  expect_bad("render ldm moon --frame 0 -o a.png", "moon: no such recording or scenario");
   expect_bad("render ldm scenario1 --frame 0 -o a.jpg", "--output a.jpg: allowed: FILE.png");
   expect_bad("render ldm scenario1 --frame 0 -o none/a.png", "none/a.png: cannot be written");
   expect_bad("render octomap scenario1 --frame 0 -o a.png --set particles.count=15",

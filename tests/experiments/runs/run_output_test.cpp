@@ -167,18 +167,22 @@ TEST_F(RunOutput, FramesLateForAFastLogAreCounted) {
 }
 
 TEST_F(RunOutput, AnInterruptedRunKeepsItsFrames) {
-  const Result result = run("sh", "-c '" + std::string(LDM_PROGRAM) +
-                                      " run current_scan scenario1 -o o --rate 1 & "
-                                      "while kill -0 $! && [ ! -d o ]; do sleep 0.02; done; "
-                                      "sleep 0.5; kill -INT $!; wait $!'");
-  EXPECT_EQ(result.code, 1);
-  EXPECT_EQ(result.error.rfind("ldm: interrupted after ", 0), 0u) << result.error;
-  EXPECT_EQ(lines(result.error), 1u);
-  const std::string summary = folder_.read("o/summary.json");
-  EXPECT_NE(summary.find("\"interrupted\": true"), std::string::npos) << summary;
-  const std::size_t frames = rows("o/frames.csv").size() - 1;
-  EXPECT_LT(frames, 30u);
-  EXPECT_NE(summary.find("\"frames\": " + std::to_string(frames) + ","), std::string::npos);
+  for (const std::string signal : {"INT", "HUP"}) {
+    std::filesystem::remove_all(folder_.path() / "o");
+    const Result result = run("sh", "-c '" + std::string(LDM_PROGRAM) +
+                                        " run current_scan scenario1 -o o --rate 1 & "
+                                        "while kill -0 $! && [ ! -d o ]; do sleep 0.02; done; "
+                                        "sleep 0.5; kill -" +
+                                        signal + " $!; wait $!'");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.error.rfind("ldm: interrupted after ", 0), 0u) << result.error;
+    EXPECT_EQ(lines(result.error), 1u);
+    const std::string summary = folder_.read("o/summary.json");
+    EXPECT_NE(summary.find("\"interrupted\": true"), std::string::npos) << summary;
+    const std::size_t frames = rows("o/frames.csv").size() - 1;
+    EXPECT_LT(frames, 30u);
+    EXPECT_NE(summary.find("\"frames\": " + std::to_string(frames) + ","), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ const Eigen::AlignedBox3d kMap(Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, 5,
 RunCluster cluster(std::int64_t track, double x, double vx = 0) {
   RunCluster found;
   found.track = track;
-  found.cluster.position = {static_cast<float>(x), 0, 1};
-  found.cluster.velocity = {static_cast<float>(vx), 0, 0};
-  found.cluster.dynamic = vx != 0;
+  found.position = {x, 0, 1};
+  found.velocity = {vx, 0, 0};
+  found.dynamic = vx != 0;
   return found;
 }
 

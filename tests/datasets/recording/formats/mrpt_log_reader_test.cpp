@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 #include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/io/CFileOutputStream.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservationOdometry.h>
@@ -153,6 +154,8 @@ TEST_F(MrptLog, ScansInSensoryFramesAndOtherObservations) {
   EXPECT_EQ(all[0].scan.points.at(0), ldm::Point(7, 0, 0));
   EXPECT_NEAR(all[0].scan.T_world_uav.translation.x(), 3, 1e-9);
   EXPECT_EQ(counts_.other, (InputCounts::ByReason{{"other observations in the log", 3}}));
+  EXPECT_EQ(counts_.other_sensors,
+            (InputCounts::ByReason{{"mrpt::obs::CObservationPointCloud `rear`", 1}}));
 }
 
 TEST_F(MrptLog, OdometryIfAskedFor) {
@@ -261,6 +264,22 @@ TEST_F(MrptLog, DamageIsNamedWithTheObjectAndEndsTheLog) {
   options_.keep_going = false;
   EXPECT_NE(log_failure().find("a.rawlog: object 0: the log is cut short or damaged"),
             std::string::npos);
+}
+
+TEST_F(MrptLog, AClassOfANewerMrptIsNamed) {
+  {
+    mrpt::io::CFileOutputStream file((folder_ / "a.rawlog").string());
+    auto archive = mrpt::serialization::archiveFrom(file);
+    archive << pose(1, 0) << cloud(1, 7);
+  }
+  std::string bytes = read("a.rawlog");
+  const std::string known = "CSimplePointsMap", newer = "CPointsMapXYZIRT";
+  bytes.replace(bytes.find(known), known.size(), newer);
+  write("a.rawlog", bytes);
+  EXPECT_NE(log_failure().find("a.rawlog: object 1: the class mrpt::maps::CPointsMapXYZIRT of an "
+                               "object is unknown to MRPT 2."),
+            std::string::npos)
+      << log_failure();
 }
 
 /// Scans do not pile up until a pose comes at last.

@@ -26,15 +26,6 @@ class PcdFolder : public RecordingFolder {
   static constexpr char kTum[] = "5 0 0 0 0 0 0 1\n5.1 1 0 0 0 0 0 1\n5.3 3 0 0 0 0 0 1\n";
 };
 
-TEST_F(PcdFolder, NumbersInNamesCountByTheirValue) {
-  EXPECT_TRUE(natural_less("2.pcd", "10.pcd"));
-  EXPECT_TRUE(natural_less("a2b3", "a2b12"));
-  EXPECT_TRUE(natural_less("a", "a1"));
-  EXPECT_TRUE(natural_less("007", "8"));
-  EXPECT_TRUE(natural_less("01", "1") != natural_less("1", "01"));
-  EXPECT_FALSE(natural_less("x", "x"));
-}
-
 TEST_F(PcdFolder, ATumTrajectoryWithALineForEachScan) {
   write("poses.txt", kTum);
   const std::vector<Frame> all = frames();
@@ -74,6 +65,58 @@ TEST_F(PcdFolder, NonFinitePointsAreDroppedAndCounted) {
   write("scan2.pcd", pcd("nan nan nan\n3 inf 3\n4 4 4", 3));
   EXPECT_EQ(frames().at(1).scan.points.size(), 1u);
   EXPECT_EQ(counts_.points_dropped, (InputCounts::ByReason{{"not finite", 2}}));
+}
+
+/// Times whose last zeros were cut off.
+TEST_F(PcdFolder, NamesThatAreTimesStandInTheirOrder) {
+  for (const char* name : {"scan1.pcd", "scan2.pcd", "scan10.pcd"}) fs::remove(folder_ / name);
+  write("1667850622.25.pcd", pcd("1 0 0"));
+  write("1667850622.3.pcd", pcd("2 0 0"));
+  write("1667850622.35.PCD", pcd("3 0 0"));
+  write("poses.txt", kTum);
+  const std::vector<Frame> all = frames();
+  ASSERT_EQ(all.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(all[k].scan.points.at(0).x(), static_cast<float>(k + 1));
+}
+
+TEST_F(PcdFolder, AHeaderLineAByteOrderMarkAndHiddenFiles) {
+  write("._scan1.pcd", "of another system");
+  write("poses.txt", "\xef\xbb\xbftimestamp tx ty tz qx qy qz qw\n" + std::string(kTum));
+  EXPECT_EQ(frames().at(2).scan.T_world_sensor.translation, Eigen::Vector3d(3, 0, 0));
+  write("times.txt", "time [s]\n5.05\n5.15\n5.2\n");
+  EXPECT_EQ(frames().at(2).scan.time, 5.2);
+  write("poses.txt", "time,x,y,z,qx,qy,qz,qw\n5,0,0,0,0,0,0,1\n");
+  EXPECT_NE(failure().find("poses.txt:2: 1 numbers: allowed: 8 (TUM: time x y z qx qy qz qw) or 12 "
+                           "(KITTI), between blanks"),
+            std::string::npos)
+      << failure();
+}
+
+TEST_F(PcdFolder, TimesInOtherUnits) {
+  write("poses.txt",
+        "1403638522827829504 0 0 0 0 0 0 1\n1403638522927829504 1 0 0 0 0 0 1\n"
+        "1403638523027829504 2 0 0 0 0 0 1\n");
+  for (const bool keep_going : {false, true}) {
+    options_.keep_going = keep_going;
+    EXPECT_EQ(failure(),
+              path("poses.txt") +
+                  ": times from 1403638522827829504 on: allowed: seconds; they look like "
+                  "ns: --time-unit ns (or s, if they are right)");
+  }
+  options_.time_unit = TimeUnit::kNanoseconds;
+  EXPECT_NEAR(frames().at(2).scan.time, 1403638523.0278, 1e-3);
+  write("times.txt", "1403638522877829504\n1403638522977829504\n1403638522987829504\n");
+  EXPECT_NEAR(frames().at(1).scan.T_world_sensor.translation.x(), 1.5, 1e-3);
+  options_.time_unit.reset();
+  write("poses.txt", kTum);
+  write("times.txt", "5050\n5150\n5200\n");
+  EXPECT_NE(failure().find("times.txt: times from 5050 on: allowed: seconds; they look like ms"),
+            std::string::npos)
+      << failure();
+  options_.keep_going = false;
+  options_.time_unit = TimeUnit::kSeconds;
+  EXPECT_NE(failure().find("no pose at 5050 s"), std::string::npos) << failure();
 }
 
 TEST_F(PcdFolder, AHeaderThatLiesNamesFileAndLine) {

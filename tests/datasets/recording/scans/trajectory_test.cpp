@@ -63,7 +63,9 @@ TEST(Trajectory, ErrorsNameTheLine) {
            })
         .substr(file.name().size());
   };
-  EXPECT_EQ(error(""), ":1: 0 numbers: allowed: 8 (TUM: time x y z qx qy qz qw) or 12 (KITTI)");
+  EXPECT_EQ(
+      error(""),
+      ":1: 0 numbers: allowed: 8 (TUM: time x y z qx qy qz qw) or 12 (KITTI), between blanks");
   EXPECT_EQ(error("1 2 3\n").substr(0, 13), ":1: 3 numbers");
   EXPECT_EQ(error("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1.2\n"),
             ":2: quaternion of norm 1.2: allowed: 1");
