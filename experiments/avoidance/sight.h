@@ -11,7 +11,7 @@
 
 namespace experiments {
 
-/// How far an arm trusts what it knows: what served on seeds of their own, docs/avoidance.md.
+/// How far an arm trusts what it knows (docs/avoidance.md).
 struct Trust {
   double margin = 0.1;       ///< taken off all distances [m]
   double doubt = 1;          ///< standard deviations by which what moves is wider; at most 0.8 m

@@ -121,6 +121,25 @@ TEST_F(FlightStudyTest, RunsAsATrialOfTheProgram) {
   expect_bad("trial tiny.toml still8.blind.s003 -o record.json", "study tiny has no trial");
 }
 
+TEST_F(FlightStudyTest, RecordsAFailureWithoutFlying) {
+  write(kTiny);
+  const Result run =
+      ldm("trial tiny.toml still8.blind.s001 --failed 'killed by SIGSEGV' -o f.json");
+  EXPECT_EQ(run.code, 0) << run.error;
+  const std::string text = folder_.read("f.json");
+  EXPECT_NE(text.find("\"status\": \"failed\""), std::string::npos);
+  EXPECT_NE(text.find("\"error\": \"killed by SIGSEGV\""), std::string::npos);
+  EXPECT_EQ(text.find("\"scores\""), std::string::npos);
+}
+
+TEST_F(FlightStudyTest, TellsProgramsWhatItIsMadeOf) {
+  write(kTiny);
+  const Result listed = ldm("trials tiny.toml --json");
+  EXPECT_NE(listed.out.find("\"datasets/corridors/still8.toml\""), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("{\"blind\":\"empty_map\",\"circular_buffer\":\"circular_buffer\"}"),
+            std::string::npos);
+}
+
 TEST_F(FlightStudyTest, FliesOnceWithALog) {
   const Result flown = ldm("fly circular_buffer still8 --seed 2 -o flown");
   EXPECT_EQ(flown.code, 0) << flown.error;
