@@ -74,7 +74,7 @@ TEST(ClusterTracks, OutlastAnOcclusionOfThreeSeconds) {
 TEST(ClusterTracks, EndInTimeAndAreNeverUsedAgain) {
   ClusterTracks tracks;
   for (double t = 0; t < 1; t += kFrame) tracks.next(t, {person(0)});
-  for (int k = 1; k <= ClusterTracks::kMemoryFrames; ++k) tracks.next(1 + kFrame * k, {});
+  for (int k = 0; k <= ClusterTracks::kMemoryFrames; ++k) tracks.next(1.1 + kFrame * k, {});
   EXPECT_EQ(tracks.next(1.1 + ClusterTracks::kMemory, {person(0)}), Ids{2});
 }
 
