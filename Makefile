@@ -33,7 +33,7 @@ endef
 quote := '
 digits := 0 1 2 3 4 5 6 7 8 9
 erase = $(if $(1),$(call erase,$(wordlist 2,10,$(1)),$(subst $(firstword $(1)),,$(2))),$(2))
-$(foreach name,STUDY METHODS PLUGIN RESULTS LDM REV,$(if $(findstring $(quote),$($(name)))$(findstring \
+$(foreach name,STUDY METHODS PLUGIN RESULTS LDM REV STAGE,$(if $(findstring $(quote),$($(name)))$(findstring \
   $(newline),$($(name))),$(error $(name)=$($(name)): a quotation mark or line break is not allowed)))
 $(foreach name,SEEDS FRAMES JOBS SHARDS CPUS TRIAL_SECONDS FUZZ_SECONDS,$(if $($(name)),$(if \
   $(or $(call erase,$(digits),$($(name))),$(if $(subst 0,,$($(name))),,0)),$(error \
@@ -310,25 +310,25 @@ conditions_stages := stage1 stage2a stage2b stage3
 rank = $(PYTHON) -m analysis.conditions.rank
 .PHONY: conditions
 conditions: program ## under which conditions the paper's claims hold; STAGE=name runs one stage: docs/conditions.md
-	@for stage in $(or $(STAGE),$(conditions_stages)); do \
-	  $(PYTHON) experiments/conditions/search.py $$stage --program $(LDM) --results $(RESULTS) \
+	@for stage in $(if $(STAGE),'$(STAGE)',$(conditions_stages)); do \
+	  $(PYTHON) experiments/conditions/search.py "$$stage" --program '$(LDM)' --results '$(RESULTS)' \
 	    --jobs '$(JOBS)' || [ $$? = 1 ] || exit 2; \
-	  $(rank) $$stage --results $(RESULTS) || exit; \
+	  $(rank) "$$stage" --results '$(RESULTS)' || exit; \
 	done
 	@$(draw_conditions)
-	@$(PYTHON) -m analysis.conditions.verdict_table $(or $(STAGE),stage3) --results $(RESULTS)
+	@$(PYTHON) -m analysis.conditions.verdict_table '$(or $(STAGE),stage3)' --results '$(RESULTS)'
 
 .PHONY: conditions-kept
 conditions-kept: setup ## tables and figures of the search that is kept in the repository, without a trial
 	@for stage in $(notdir $(wildcard analysis/conditions/kept/*)); do \
-	  $(rank) $$stage --results $(RESULTS) --kept analysis/conditions/kept && \
-	  $(PYTHON) -m analysis.conditions.verdict_table $$stage --results $(RESULTS) || exit; \
+	  $(rank) $$stage --results '$(RESULTS)' --kept analysis/conditions/kept && \
+	  $(PYTHON) -m analysis.conditions.verdict_table $$stage --results '$(RESULTS)' || exit; \
 	done
 	@$(draw_conditions)
 
 define draw_conditions
-$(PYTHON) -m analysis.conditions.claims_map --results $(RESULTS) && \
-$(PYTHON) -m analysis.conditions.pair_map --results $(RESULTS)
+$(PYTHON) -m analysis.conditions.claims_map --results '$(RESULTS)' && \
+$(PYTHON) -m analysis.conditions.pair_map --results '$(RESULTS)'
 endef
 
 .PHONY: timing

@@ -16,6 +16,8 @@ from typing import Callable, Iterable
 from unknowns import Value, unknowns
 from worlds import scenario_text, toml
 
+DATA = Path(__file__).resolve().parents[2]
+"""Whatever build the program is of: the outdoor worlds are those of this tree."""
 FLIGHTS = ("scenario1", "scenario2", "scenario3")
 WITH_FILTER = ("ldm", "circular_buffer", "circular_buffer_pf_eq17", "circular_buffer_pf_free")
 METHODS = {"scenario1": WITH_FILTER, "scenario2": WITH_FILTER,
@@ -49,7 +51,7 @@ class Batch:
         output = study.parent / "records"
         if len(self.trials) == 1:
             output = self.trials[0].record
-        return [program, "trial", str(study), *(trial.id for trial in self.trials),
+        return [program, "--data-dir", str(DATA), "trial", str(study), *(trial.id for trial in self.trials),
                 "--seeds", str(replicate), "-o", str(output)]
 
 

@@ -133,7 +133,6 @@ def run(study: Study, todo: list[str], args: argparse.Namespace, lock_handle: in
     estimate = f", about {pace.about(cpu_s * len(todo) / args.jobs)}" if cpu_s and not args.shards else ""
     print(f"study {study.label}: {len(study.trials)} trials, {len(todo)} to run, {where}{estimate}",
           file=sys.stderr)
-    interruption.raise_when_interrupted()
     if args.shards:
         return slurm_run.run(study, todo, slurm_run.Request(args.shards, args.shard_cpus, args.sbatch_flags))
     import local_run  # with tqdm, which only those who wait for trials need
@@ -144,6 +143,7 @@ def run(study: Study, todo: list[str], args: argparse.Namespace, lock_handle: in
 def main() -> int:
     args = parse_arguments()
     label = args.study
+    interruption.raise_when_interrupted()
     try:
         studies = [Study(args)]
         studies += [Study(args, method) for method in args.methods if method not in studies[0].methods]

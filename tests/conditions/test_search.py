@@ -70,6 +70,7 @@ def test_clamps_and_vertical_noise_follow_the_condition():
 def test_trials_of_one_study_and_world_are_one_batch(tmp_path):
     found = batches(trials(tmp_path, FRAMES, [1, 2]))
     assert [len(batch.trials) for batch in found] == [10, 1, 1, 10, 1, 1]
+    assert found[0].command("ldm")[:4] == ["ldm", "--data-dir", str(ROOT), "trial"]
     assert found[0].command("ldm")[-3:] == ["1", "-o", str(tmp_path / "records")]
     assert found[1].command("ldm")[-1] == str(tmp_path / "records" / "outdoor1.ldm.s001.json")
 

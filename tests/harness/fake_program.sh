@@ -1,7 +1,7 @@
 #!/bin/bash
 # Stands in for the `ldm` program: COUNT trials named t1, t2, ...; each takes SLEEP seconds. With NAMED set
 # they are named w.old.t1, ..., or w.METHOD.t1, ...; a METHOD needs --plugin. They are made from the file INPUT,
-# if it is set.
+# if it is set. Listing them takes LISTING seconds, and leaves a file LOG.listing.
 # FAIL and CRASH name a trial that fails with a record, and one that dies without; END one that is asked to end,
 # HANG one that never ends. EDIT names one before which INPUT is changed.
 set -eu
@@ -31,6 +31,7 @@ case $command in
       esac
       shift 2
     done
+    [ "${LISTING:-}" ] && { touch "$LOG.listing"; sleep "$LISTING"; }
     [ "${UNKNOWN:-}" ] && { echo "unknown study" >&2; exit 2; }
     [ $method = old ] || [ "$plugin" ] || { echo "unknown method $method" >&2; exit 2; }
     printf '{"study": "%s", "file": "%s", "frames": 10, "methods": {"%s": "ldm"}, "files": %s, "trials": [' \

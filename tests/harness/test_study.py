@@ -111,6 +111,18 @@ def test_an_interrupted_run_is_continued(bench, number):
     assert files == [f"t{n}.json" for n in range(1, 9)]
 
 
+def test_an_interruption_before_the_first_trial_is_one_line(bench):
+    process = bench.start(LISTING="20")
+    deadline = time.monotonic() + 30
+    while not bench.log.with_name("log.listing").exists():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    os.killpg(process.pid, signal.SIGINT)
+    _, err = process.communicate(timeout=15)
+    assert process.returncode != 0 and "Traceback" not in err
+    assert "study fake: stopped; the same command continues it" in err
+
+
 def test_a_second_run_at_the_same_time_is_refused(bench):
     first = bench.start(SLEEP="0.3")
     deadline = time.monotonic() + 30
