@@ -186,8 +186,7 @@ equations: ## print where each equation of the paper is in plain words, in the f
 .PHONY: style
 style: $(BUILD)/Makefile ## check layout (clang-format) and code (clang-tidy)
 	$(cxx_sources) | xargs clang-format-14 --dry-run -Werror
-	run-clang-tidy-14 -quiet -p $(BUILD) -j $(JOBS) '$(CURDIR)/(ldm|baselines|datasets)/' \
-	  &> $(BUILD)/clang-tidy.log || { grep -A3 'error:' $(BUILD)/clang-tidy.log; exit 1; }
+	@$(PYTHON) tests/tidy.py $(BUILD) --jobs '$(JOBS)'
 
 .PHONY: format
 format: setup ## lay out all C++ with clang-format

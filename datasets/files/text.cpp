@@ -40,6 +40,7 @@ std::string single_line(std::string_view text) {
 
 std::string command_line(const std::vector<std::string>& words) {
   std::vector<std::string> safe;
+  safe.reserve(words.size());
   for (const std::string& word : words) safe.push_back(is_plain(word) ? word : quoted(word));
   return joined(safe, " ");
 }
