@@ -186,6 +186,7 @@ equations: ## print where each equation of the paper is in plain words, in the f
 .PHONY: style
 style: $(BUILD)/Makefile ## check layout (clang-format) and code (clang-tidy)
 	$(cxx_sources) | xargs clang-format-14 --dry-run -Werror
+	@cmake -S . -B $(BUILD) --log-level=NOTICE > /dev/null  # sources come and go
 	@$(PYTHON) tests/tidy.py $(BUILD) --jobs '$(JOBS)'
 
 .PHONY: format

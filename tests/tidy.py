@@ -82,6 +82,11 @@ def main() -> int:
     options = parser.parse_args()
 
     commands = compile_commands(options.root, options.build)
+    for source in commands:
+        if not source.is_file():
+            print(f"{options.build}/compile_commands.json: {source}: is no longer there: allowed: after cmake",
+                  file=sys.stderr)
+            return 2
     database = options.build / "clang-tidy"
     database.mkdir(exist_ok=True)
     (database / "compile_commands.json").write_text(json.dumps(list(commands.values())), encoding="utf-8")

@@ -94,6 +94,16 @@ def test_findings_are_shown_until_they_are_mended(tree: Tree) -> None:
     assert tree.run().returncode == 0
 
 
+def test_a_compile_database_from_before_a_source_went(tree: Tree) -> None:
+    tree.run()
+    database = tree.root / "build/compile_commands.json"
+    database.write_text(database.read_text().replace("alone.cpp", "gone.cpp"))
+    run = subprocess.run([sys.executable, TIDY, tree.root / "build", "--root", tree.root], text=True,
+                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert run.returncode == 2
+    assert run.stderr == f"{database}: {tree.root}/datasets/gone.cpp: is no longer there: allowed: after cmake\n"
+
+
 def test_without_precompiled_headers(tree: Tree) -> None:
     commands = [entry["command"] for entry in json.loads((tree.root / "tool/seen.json").read_text())]
     assert len(commands) == 2
