@@ -7,8 +7,8 @@ PAPER_STUDIES := table1 outdoor calibration timing ablation particles process_no
 paper: setup ## the report paper/ldm-reproduction.pdf, from the results that exist
 	$(call install,paper/apt-packages.txt)
 	@mkdir -p paper/generated
-	@$(PYTHON) tests/equations.py > paper/generated/equations.txt
-	@$(PYTHON) -m analysis.report --results '$(RESULTS)' --equations paper/generated/equations.txt \
+	@$(PYTHON) tests/equations.py --json > paper/generated/equations.json
+	@$(PYTHON) -m analysis.report --results '$(RESULTS)' --equations paper/generated/equations.json \
 	  --output paper/generated
 	@cd paper && latexmk -pdf -outdir=generated -silent -interaction=nonstopmode -halt-on-error \
 	  ldm-reproduction.tex > generated/latexmk.out 2>&1 || { cat generated/latexmk.out; exit 1; }

@@ -9,6 +9,8 @@ tests' folder of the same name. Exit code 1 if anything of this fails.
 
 from __future__ import annotations
 
+import argparse
+import json
 import re
 import sys
 from pathlib import Path
@@ -137,10 +139,27 @@ def faults(index: Index) -> list[str]:
     return found
 
 
-def main() -> int:
-    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[1]
-    index = index_of(root)
+def as_json(index: Index) -> str:
+    """A row for each equation: `number`, and `file`, `line`, `symbol` of the first of each kind of place."""
+    rows = []
     for number in HOME:
+        row: dict[str, object] = {"number": number}
+        for name, places in zip(Index._fields, index):
+            for place in places[number][:1]:
+                row[name] = place._asdict() | {"file": str(place.file)}
+        rows.append(row)
+    return json.dumps(rows, indent=1)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parents[1])
+    parser.add_argument("--json", action="store_true", help="print the index for programs")
+    args = parser.parse_args()
+    index = index_of(args.root)
+    if args.json:
+        print(as_json(index))
+    for number in HOME if not args.json else ():
         print(f"Eq. ({number})")
         for name, places in zip(Index._fields, index):
             for place in places[number][:1]:

@@ -1,6 +1,6 @@
 """Write everything of the report in paper/ that comes from results; `make paper` calls it.
 
-Reads   DIR/STUDY/records/*.json, DIR/worlds/, DIR/flight/, and what `make equations` prints
+Reads   DIR/STUDY/records/*.json, DIR/worlds/, DIR/flight/, and what tests/equations.py --json prints
 Writes  OUTPUT/*.tex, OUTPUT/figures/, and OUTPUT/sources.json: what the rest was made from
 Prints  which studies are missing, and the command that makes each
 

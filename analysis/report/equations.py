@@ -1,7 +1,8 @@
-"""The index that `make equations` prints, for the report: the file and the test of each equation."""
+"""The index of equations (tests/equations.py --json), for the report: files and test of each."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,13 +16,9 @@ class Equation(NamedTuple):
 
     number: str
     symbol: str
-    place: str  # file:line
+    file: str
+    plain: str  # the file that computes it in plain words; empty for a score
     test: str
-
-    @property
-    def file(self) -> str:
-        """The file without the line."""
-        return self.place.partition(":")[0]
 
 
 def read_index(file: Path) -> list[Equation]:
@@ -33,18 +30,27 @@ def read_index(file: Path) -> list[Equation]:
         If the file is not such an index.
     """
     try:
-        _, *lines = file.read_text(encoding="utf-8").splitlines()
-        return [Equation(*line.split()) for line in lines]
-    except (OSError, ValueError, TypeError) as error:
-        raise InputError(f"{file}: not what `make equations` prints: {error}") from error
+        return [
+            Equation(
+                number=str(row["number"]),
+                symbol=row["fast"]["symbol"],
+                file=row["fast"]["file"],
+                plain=row.get("plain", {}).get("file", ""),
+                test=row["tests"]["symbol"],
+            )
+            for row in json.loads(file.read_text(encoding="utf-8"))
+        ]
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        raise InputError(f"{file}: not the index of tests/equations.py --json: {error!r}") from error
 
 
 def index_table(equations: list[Equation], caption: str) -> str:
     """The index as a table."""
     rows = [
-        [equation.number, *map(latex.code, (equation.symbol, equation.file, equation.test))]
+        [equation.number, *(latex.code(text) if text else "" for text in
+                            (equation.plain, equation.symbol, equation.file, equation.test))]
         for equation in equations
     ]
-    head = r"Eq. & symbol & declared in & test \\"
-    body = latex_tabular("rlll", [head], rows)
+    head = r"Eq. & in plain words & symbol & declared in & test \\"
+    body = latex_tabular("rllll", [head], rows)
     return latex.table(r"\fitted{\footnotesize " + body.strip() + "}", caption, "tab:equations")

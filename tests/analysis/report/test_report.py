@@ -1,6 +1,8 @@
 """The generated part of the report: the ledger's verdicts, missing studies, stale tables."""
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pandas as pd
@@ -55,9 +57,11 @@ def results(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def index(tmp_path_factory):
-    file = tmp_path_factory.mktemp("index") / "equations.txt"
-    lines = ["Eq. symbol declared test", *(f"{n} s ldm/file_{n}.h:3 A.B" for n in range(1, 19))]
-    file.write_text("\n".join(lines) + "\n")
+    """As tests/equations.py prints it."""
+    file = tmp_path_factory.mktemp("index") / "equations.json"
+    script = ROOT / "tests" / "equations.py"
+    printed = subprocess.run([sys.executable, script, "--json"], stdout=subprocess.PIPE, text=True, check=True)
+    file.write_text(printed.stdout)
     return file
 
 
