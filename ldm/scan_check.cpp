@@ -12,7 +12,7 @@ namespace {
 constexpr double kFarthest = 1e7;  // [m]: its voxel index still fits 32 bits at 1 cm a voxel
 constexpr double kSkew = 1e-3;     // how far from orthonormal a matrix of rounded numbers may be
 
-void check_rotation(const Eigen::Matrix3d& r, const std::string& name) {
+void check_rotation(const Eigen::Matrix3d& r, std::string_view name) {
   // Nothing that is not a number is within a bound.
   const Eigen::Matrix3d skew = r.transpose() * r - Eigen::Matrix3d::Identity();
   if ((skew.array().abs() <= kSkew).all() && r.determinant() > 0) return;
@@ -23,7 +23,7 @@ void check_rotation(const Eigen::Matrix3d& r, const std::string& name) {
   throw InvalidInput(message.str());
 }
 
-void check_pose(const Pose& pose, const std::string& name) {
+void check_pose(const Pose& pose, std::string_view name) {
   check_rotation(pose.rotation, name);
   const Eigen::Vector3d& t = pose.translation;
   if ((t.array().abs() <= kFarthest).all()) return;
