@@ -50,6 +50,7 @@ _SCORES = (
     Score("precision", "precision", "", "higher", 3, 0.01),
     Score("recall", "recall", "", "higher", 3, 0.01),
     Score("f1", "F1", "", "higher", 3, 0.01),
+    Score("iou_visible", "IoU, visible truth", "", "higher", 3, 0.01),
     Score("brier", "Brier score", "", "lower", 4, 0.001),
     Score("static_velocity_error_mps", "static velocity error", "m/s", "lower", 3, 0.005),
     Score("dynamic_velocity_error_mps", "dynamic velocity error", "m/s", "lower", 3, 0.015),

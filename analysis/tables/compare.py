@@ -37,6 +37,7 @@ DEFAULT_SCORES = (
     "case2_voxels",
     "mixed_voxels_per_frame",
     "f1",
+    "iou_visible",
     "static_velocity_error_mps",
     "dynamic_velocity_error_mps",
 )

@@ -19,6 +19,7 @@ TYPICAL_SCORES = {
     "precision": 0.7,
     "recall": 0.9,
     "f1": 0.79,
+    "iou_visible": 0.61,
     "brier": 0.01,
     "static_velocity_error_mps": 0.02,
     "dynamic_velocity_error_mps": 0.3,
