@@ -2,7 +2,6 @@
 
 #include <octomap/OcTree.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "baselines/octomap_keys.h"
@@ -23,21 +22,17 @@ void check_reach(const ldm::LocalMap& map) {
 }
 
 /// As `octomap::OcTree::writeBinary`, which in Debian's build also prints " done." on stderr.
-void write(const octomap::OcTree& tree, const std::string& comment,
-           const std::filesystem::path& file) {
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream << "# Octomap OcTree binary file\n";
-  if (!comment.empty()) stream << "# " << comment << '\n';
-  stream << "id " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
-         << tree.getResolution() << "\ndata\n";
-  if (stream) tree.writeBinaryData(stream);
-  if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written: disk full?");
+void write(const octomap::OcTree& tree, const std::string& comment, std::ostream& out) {
+  out << "# Octomap OcTree binary file\n";
+  if (!comment.empty()) out << "# " << comment << '\n';
+  out << "id " << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution()
+      << "\ndata\n";
+  tree.writeBinaryData(out);
 }
 
 }  // namespace
 
-void write_bt(const ldm::LocalMap& map, const std::string& comment,
-              const std::filesystem::path& file) {
+void write_bt(const ldm::LocalMap& map, const std::string& comment, std::ostream& out) {
   check_reach(map);
   octomap::OcTree tree(map.resolution);
   constexpr bool kLazy = true;  // inner nodes follow once, below
@@ -51,7 +46,7 @@ void write_bt(const ldm::LocalMap& map, const std::string& comment,
   tree.updateInnerOccupancy();
   tree.toMaxLikelihood();
   tree.prune();
-  write(tree, comment, file);
+  write(tree, comment, out);
 }
 
 }  // namespace baselines

@@ -1,6 +1,6 @@
 #pragma once
 /// A local map as a file of OctoMap, which octovis opens (no paper section).
-#include <filesystem>
+#include <ostream>
 #include <string>
 
 #include "ldm/types.h"
@@ -10,9 +10,7 @@ namespace baselines {
 /// Write the occupied and the free voxels; unknown ones are in no leaf. The
 /// format (`.bt`) has one bit of occupancy a leaf, no probability.
 /// @param comment a line for the file's header, or empty
-/// @throws ldm::InvalidInput on a map beyond OctoMap's 32,768 voxels from the origin,
-/// std::runtime_error if the file cannot be written.
-void write_bt(const ldm::LocalMap& map, const std::string& comment,
-              const std::filesystem::path& file);
+/// @throws ldm::InvalidInput on a map beyond OctoMap's 32,768 voxels from the origin.
+void write_bt(const ldm::LocalMap& map, const std::string& comment, std::ostream& out);
 
 }  // namespace baselines

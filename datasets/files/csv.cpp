@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
 
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "ldm/types.h"
 
 namespace datasets {
@@ -44,38 +42,24 @@ std::string_view bare(std::string_view value) {
   return value;
 }
 
-/// True if all of `text` is one number.
-template <class Number>
-bool parse(std::string_view text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
-}
-
-/// The same for what other programs write: +3, 3.0.
+/// True if all of `text` is one number, or what other programs write for it: +3, 3.0.
 template <class Number>
 bool parse_foreign(std::string_view text, Number& number) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  if (parse(text, number)) return true;
+  if (parse_number(text, number)) return true;
   double value = 0;
   constexpr double kExact = 9007199254740992;  // 2^53
-  if (!parse(text, value) || std::trunc(value) != value || std::abs(value) > kExact) return false;
+  if (!parse_number(text, value) || std::trunc(value) != value || std::abs(value) > kExact)
+    return false;
   number = static_cast<Number>(value);
   return true;
 }
 
 }  // namespace
 
-CsvWriter::CsvWriter(const std::filesystem::path& file, std::string_view header)
-    : file_(file), stream_(file, std::ios::binary | std::ios::trunc) {
-  if (!stream_) {
-    throw ldm::InvalidInput(file.string() + ": cannot be written (" + std::strerror(errno) + ")");
-  }
-  stream_ << header << '\n';
-}
-
 CsvWriter& CsvWriter::add(std::string_view word) {
-  if (row_begun_) stream_ << ',';
-  stream_ << word;
+  if (row_begun_) out_ << ',';
+  out_ << word;
   row_begun_ = true;
   return *this;
 }
@@ -84,18 +68,17 @@ CsvWriter& CsvWriter::add(double value) {
   return add(std::string_view(decimal(value)));
 }
 
+CsvWriter& CsvWriter::add(double value, int decimals) {
+  return add(std::string_view(rounded(value, decimals)));
+}
+
 CsvWriter& CsvWriter::add(std::int64_t value) {
   return add(std::string_view(std::to_string(value)));
 }
 
 void CsvWriter::end_row() {
-  stream_ << '\n';
+  out_ << '\n';
   row_begun_ = false;
-}
-
-void CsvWriter::close() {
-  stream_.close();
-  if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written: disk full?");
 }
 
 CsvReader::CsvReader(const std::filesystem::path& file) : CsvReader(file, Dialect::kForeign) {}
@@ -161,7 +144,8 @@ std::string_view CsvReader::next_value() {
 double CsvReader::number() {
   double value = 0;
   const std::string_view text = next_value();
-  if (!(foreign_ ? parse_foreign(text, value) : parse(text, value)) || !std::isfinite(value)) {
+  if (!(foreign_ ? parse_foreign(text, value) : parse_number(text, value)) ||
+      !std::isfinite(value)) {
     reject_value("a finite number");
   }
   return value;
@@ -170,7 +154,8 @@ double CsvReader::number() {
 std::int64_t CsvReader::integer(std::int64_t min, std::int64_t max) {
   std::int64_t value = 0;
   const std::string_view text = next_value();
-  if (!(foreign_ ? parse_foreign(text, value) : parse(text, value)) || value < min || value > max) {
+  if (!(foreign_ ? parse_foreign(text, value) : parse_number(text, value)) || value < min ||
+      value > max) {
     reject_value(min == max
                      ? std::to_string(min)
                      : "an integer in [" + std::to_string(min) + ", " + std::to_string(max) + "]");
@@ -191,9 +176,7 @@ bool CsvReader::boolean() {
 std::size_t CsvReader::choice(std::span<const std::string_view> words) {
   const auto word = std::find(words.begin(), words.end(), next_value());
   if (word == words.end()) {
-    std::string allowed(words.front());
-    for (const std::string_view other : words.subspan(1)) allowed.append(", ").append(other);
-    reject_value(allowed);
+    reject_value(joined(words));
   }
   return static_cast<std::size_t>(word - words.begin());
 }

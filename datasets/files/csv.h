@@ -11,23 +11,28 @@
 
 namespace datasets {
 
+/// Rows into a stream, which the caller checks.
 class CsvWriter {
  public:
   /// Write `header` as the first line.
-  /// @throws ldm::InvalidInput if the file cannot be created.
-  CsvWriter(const std::filesystem::path& file, std::string_view header);
+  CsvWriter(std::ostream& out, std::string_view header) : out_(out) { out_ << header << '\n'; }
 
   CsvWriter& add(double value);
+  /// Rounded to so many decimals.
+  CsvWriter& add(double value, int decimals);
   CsvWriter& add(std::int64_t value);
   /// A word without comma or line break.
   CsvWriter& add(std::string_view word);
+  /// Three numbers.
+  template <class Vector, class... Decimals>
+  CsvWriter& add_vector(const Vector& v, Decimals... decimals) {
+    for (int i = 0; i < 3; ++i) add(static_cast<double>(v[i]), decimals...);
+    return *this;
+  }
   void end_row();
-  /// @throws std::runtime_error if something could not be written.
-  void close();
 
  private:
-  std::filesystem::path file_;
-  std::ofstream stream_;
+  std::ostream& out_;
   bool row_begun_ = false;
 };
 

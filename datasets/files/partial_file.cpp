@@ -41,11 +41,29 @@ PartialFile::~PartialFile() {
   if (!temporary_name_.empty()) std::filesystem::remove(temporary_name_, ignored);
 }
 
+void PartialFile::require(bool written) const {
+  if (!written) throw std::runtime_error(final_name_.string() + ": cannot be written: disk full?");
+}
+
+void PartialFile::complete() {
+  if (stream_.is_open()) stream_.close();
+  require(!stream_.fail());
+}
+
 void PartialFile::commit() {
-  stream_.close();
-  if (!stream_) throw std::runtime_error(final_name_.string() + ": cannot be written: disk full?");
-  std::filesystem::rename(temporary_name_, final_name_);
+  complete();
+  std::error_code error;
+  std::filesystem::rename(temporary_name_, final_name_, error);
+  if (error) {
+    throw std::runtime_error(final_name_.string() + ": cannot be written (" + error.message() +
+                             ")");
+  }
   temporary_name_.clear();
+}
+
+void commit_together(std::initializer_list<PartialFile*> files) {
+  for (PartialFile* file : files) file->complete();
+  for (PartialFile* file : files) file->commit();
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 /// A file that exists under its name only when it is complete (no paper section).
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 
 namespace datasets {
 
@@ -17,14 +18,21 @@ class PartialFile {
   std::ostream& stream() { return stream_; }
   /// For a library that opens files itself, in place of the stream.
   const std::filesystem::path& temporary_name() const { return temporary_name_; }
-  /// Give the file its final name, in place of an older one.
-  /// @throws std::runtime_error if something could not be written.
+  /// For the outcome of such a library. @throws std::runtime_error naming the final name if false.
+  void require(bool written) const;
+  /// Close the stream. @throws std::runtime_error if something could not be written.
+  void complete();
+  /// Complete it, and give it its final name, in place of an older one.
+  /// @throws std::runtime_error if that fails.
   void commit();
 
  private:
   std::filesystem::path final_name_, temporary_name_;
   std::ofstream stream_;
 };
+
+/// As `commit`, but no file is given its name before all are complete.
+void commit_together(std::initializer_list<PartialFile*> files);
 
 /// Make a folder, and those above it, unless they exist.
 /// @throws ldm::InvalidInput if it cannot be made.

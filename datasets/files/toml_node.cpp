@@ -3,10 +3,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
+#include <iterator>
 #include <tuple>
 
+#include "datasets/files/text.h"
+#include "datasets/files/toml_limits.h"
 #include "ldm/types.h"
 
 namespace datasets {
@@ -119,17 +121,14 @@ std::shared_ptr<const TomlNode> read_toml(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file) || !stream) {
     throw ldm::InvalidInput(name + ": cannot be read: allowed: a readable TOML file");
   }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  check_toml_limits(text, name);
   try {
-    return convert(toml::parse(stream, name), "", "", name);
+    return convert(toml::parse(text, name), "", "", name);
   } catch (const toml::parse_error& error) {
     throw ldm::InvalidInput(name + ':' + std::to_string(error.source().begin.line) +
                             ": not TOML: " + std::string(error.description()));
   }
-}
-
-std::string decimal(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr};
 }
 
 }  // namespace datasets

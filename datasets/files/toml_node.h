@@ -39,10 +39,8 @@ struct TomlNode {
   [[noreturn]] void reject(std::string_view allowed) const;
 };
 
-/// @throws ldm::InvalidInput if the file cannot be read, is no TOML, or holds a date or time.
+/// @throws ldm::InvalidInput if the file cannot be read, is no TOML, holds a date or time, or is
+/// longer or deeper than toml_limits.h allows.
 std::shared_ptr<const TomlNode> read_toml(const std::filesystem::path& file);
-
-/// Shortest decimal that reads back to the same bits.
-std::string decimal(double value);
 
 }  // namespace datasets

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "datasets/files/text.h"
 #include "datasets/files/toml_node.h"
 #include "ldm/types.h"
 
@@ -59,12 +60,6 @@ void collect_leaves(const TomlNode& table, const std::string& prefix,
       leaves.push_back({name, child->flat(), child->place, child->has_text()});
     }
   }
-}
-
-std::string joined(const auto& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
 }
 
 void reject_unasked(const TomlNode& node) {

@@ -1,11 +1,9 @@
 #include "datasets/rawlog/rawlog_sidecars.h"
 
-#include <fstream>
 #include <limits>
 #include <span>
-#include <stdexcept>
 
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "datasets/files/toml_reader.h"
 
 namespace datasets {
@@ -24,10 +22,6 @@ constexpr char kTruthHeader[] =
     "sx_m,sy_m,sz_m,solids";
 constexpr char kSolidsHeader[] =
     "frame,id,shape,x_m,y_m,z_m,r00,r01,r02,r10,r11,r12,r20,r21,r22,sx_m,sy_m,sz_m";
-
-void add(CsvWriter& csv, const Eigen::Vector3d& v) {
-  csv.add(v.x()).add(v.y()).add(v.z());
-}
 
 Eigen::Vector3d read_vector(CsvReader& csv) {
   const double x = csv.number(), y = csv.number(), z = csv.number();
@@ -55,21 +49,18 @@ LogFiles::LogFiles(const std::filesystem::path& name) : rawlog(name) {
   solids = beside(".solids.csv");
 }
 
-void write_description(const std::filesystem::path& file, const LogDescription& description) {
+void write_description(const LogDescription& description, std::ostream& out) {
   const LidarModel& lidar = description.lidar;
   const ldm::Pose& mount = description.T_uav_sensor;
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = mount.rotation;
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream << "format = " << kFormat << "\nframes = " << description.frames  //
-         << "\n\n[lidar]\nelevations_rad = " << toml_list(lidar.elevations)
-         << "\nazimuths = " << lidar.azimuths << "\nrate_hz = " << decimal(lidar.rate)
-         << "\nmin_range_m = " << decimal(lidar.min_range)
-         << "\nmax_range_m = " << decimal(lidar.max_range)
-         << "\nrange_sigma_m = " << decimal(lidar.range_sigma)
-         << "\n\n[T_uav_sensor]\ntranslation_m = " << toml_list({mount.translation.data(), 3})
-         << "\nrotation = " << toml_list({rotation.data(), 9}) << "\n";
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  out << "format = " << kFormat << "\nframes = " << description.frames  //
+      << "\n\n[lidar]\nelevations_rad = " << toml_list(lidar.elevations)
+      << "\nazimuths = " << lidar.azimuths << "\nrate_hz = " << decimal(lidar.rate)
+      << "\nmin_range_m = " << decimal(lidar.min_range)
+      << "\nmax_range_m = " << decimal(lidar.max_range)
+      << "\nrange_sigma_m = " << decimal(lidar.range_sigma)
+      << "\n\n[T_uav_sensor]\ntranslation_m = " << toml_list({mount.translation.data(), 3})
+      << "\nrotation = " << toml_list({rotation.data(), 9}) << "\n";
 }
 
 LogDescription read_description(const std::filesystem::path& file) {
@@ -96,37 +87,28 @@ LogDescription read_description(const std::filesystem::path& file) {
   return description;
 }
 
-SidecarWriter::SidecarWriter(const LogFiles& files)
-    : frames_(files.frames, kFramesHeader),
-      truth_(files.truth, kTruthHeader),
-      solids_(files.solids, kSolidsHeader) {}
+SidecarWriter::SidecarWriter(std::ostream& frames, std::ostream& truth, std::ostream& solids)
+    : frames_(frames, kFramesHeader), truth_(truth, kTruthHeader), solids_(solids, kSolidsHeader) {}
 
 void SidecarWriter::write(const FrameRow& row, const std::vector<ObjectState>& objects) {
   const QuaternionPose& pose = row.T_world_uav;
-  add(frames_.add(row.frame).add(row.time), pose.translation);
+  frames_.add(row.frame).add(row.time).add_vector(pose.translation);
   frames_.add(pose.w).add(pose.x).add(pose.y).add(pose.z);
   frames_.add(static_cast<std::int64_t>(objects.size())).end_row();
   for (const ObjectState& object : objects) {
     const std::int64_t id = object.id;
     truth_.add(row.frame).add(row.time).add(id).add(std::int64_t{object.dynamic});
     for (const auto* v : {&object.position, &object.velocity, &object.acceleration, &object.size}) {
-      add(truth_, *v);
+      truth_.add_vector(*v);
     }
     truth_.add(static_cast<std::int64_t>(object.solids.size())).end_row();
     for (const Solid& solid : object.solids) {
       solids_.add(row.frame).add(id).add(kShapes[static_cast<std::size_t>(solid.shape)]);
-      add(solids_, solid.T_world_solid.translation);
-      for (int r = 0; r < 3; ++r) add(solids_, solid.T_world_solid.rotation.row(r));
-      add(solids_, solid.size);
-      solids_.end_row();
+      solids_.add_vector(solid.T_world_solid.translation);
+      for (int r = 0; r < 3; ++r) solids_.add_vector(solid.T_world_solid.rotation.row(r));
+      solids_.add_vector(solid.size).end_row();
     }
   }
-}
-
-void SidecarWriter::close() {
-  frames_.close();
-  truth_.close();
-  solids_.close();
 }
 
 SidecarReader::SidecarReader(const LogFiles& files, std::int64_t frames)

@@ -23,10 +23,6 @@ struct LogFiles {
   std::filesystem::path frames;       ///< NAME.frames.csv
   std::filesystem::path truth;        ///< NAME.truth.csv
   std::filesystem::path solids;       ///< NAME.solids.csv
-
-  std::vector<std::filesystem::path> sidecars() const {
-    return {description, frames, truth, solids};
-  }
 };
 
 /// What holds for the whole log.
@@ -36,8 +32,7 @@ struct LogDescription {
   ldm::Pose T_uav_sensor;
 };
 
-/// @throws std::runtime_error if it cannot be written.
-void write_description(const std::filesystem::path& file, const LogDescription& description);
+void write_description(const LogDescription& description, std::ostream& out);
 /// @throws ldm::InvalidInput with file, line and key.
 LogDescription read_description(const std::filesystem::path& file);
 
@@ -51,9 +46,8 @@ struct FrameRow {
 /// Writes NAME.frames.csv, NAME.truth.csv and NAME.solids.csv.
 class SidecarWriter {
  public:
-  explicit SidecarWriter(const LogFiles& files);
+  SidecarWriter(std::ostream& frames, std::ostream& truth, std::ostream& solids);
   void write(const FrameRow& row, const std::vector<ObjectState>& objects);
-  void close();
 
  private:
   CsvWriter frames_, truth_, solids_;

@@ -3,7 +3,6 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/serialization/CArchive.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "datasets/files/partial_file.h"
 #include "datasets/rawlog/rawlog.h"
 #include "datasets/rawlog/rawlog_labels.h"
 #include "datasets/rawlog/rawlog_sidecars.h"
@@ -26,34 +26,14 @@ mrpt::poses::CPose3D mrpt_pose(const QuaternionPose& p) {
           p.translation.z()};
 }
 
-/// A folder that is gone in the end: what shall stay must have been moved out of it.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(const fs::path& path) : path_(path) {
-    std::error_code error;
-    fs::create_directory(path_, error);
-    if (error) throw ldm::InvalidInput(path_.string() + ": cannot be created: " + error.message());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;  // a stray temporary folder does no harm
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// Writes MRPT's objects to a gz file. MRPT's own output stream does not tell of a full disk when
 /// it is closed; hence zlib's functions.
-class GzArchive final : public mrpt::serialization::CArchive {
+class GzWriter final : public mrpt::serialization::CArchive {
  public:
-  explicit GzArchive(const fs::path& file)
-      : file_(file), gz_(gzopen(file.c_str(), "wb1"), gzclose) {
-    if (!gz_) throw ldm::InvalidInput(file.string() + ": cannot be written");
+  /// @param file outlives this
+  explicit GzWriter(const PartialFile& file)
+      : file_(file), gz_(gzopen(file.temporary_name().c_str(), "wb1"), gzclose) {
+    file_.require(gz_ != nullptr);
   }
 
   void close() {
@@ -61,9 +41,7 @@ class GzArchive final : public mrpt::serialization::CArchive {
     check();
   }
   /// @throws std::runtime_error if something could not be written until now.
-  void check() const {
-    if (failed_) throw std::runtime_error(file_.string() + ": cannot be written: disk full?");
-  }
+  void check() const { file_.require(!failed_); }
   std::string getArchiveDescription() const override { return "recorded log"; }
 
  private:
@@ -76,7 +54,7 @@ class GzArchive final : public mrpt::serialization::CArchive {
     return count;
   }
 
-  fs::path file_;
+  const PartialFile& file_;
   std::unique_ptr<gzFile_s, int (*)(gzFile)> gz_;
   bool failed_ = false;
 };
@@ -85,14 +63,16 @@ class GzArchive final : public mrpt::serialization::CArchive {
 
 class RawlogWriter::Log {
  public:
-  Log(const fs::path& rawlog, const LidarModel& lidar, const ldm::Pose& T_uav_sensor)
-      : final_(rawlog),
-        // The process id keeps apart two runs that write the same log.
-        folder_(rawlog.string() + "." + std::to_string(getpid()) + ".part"),
-        temporary_(folder_.path() / rawlog.filename()),
+  Log(const LogFiles& files, const LidarModel& lidar, const ldm::Pose& T_uav_sensor)
+      : rawlog_name_(files.rawlog),
+        rawlog_(files.rawlog),
+        description_file_(files.description),
+        frames_(files.frames),
+        truth_(files.truth),
+        solids_(files.solids),
         description_{0, lidar, T_uav_sensor},
-        sidecars_(temporary_),
-        archive_(temporary_.rawlog) {
+        sidecars_(frames_.stream(), truth_.stream(), solids_.stream()),
+        archive_(rawlog_) {
     prepare_scan();
   }
 
@@ -111,13 +91,12 @@ class RawlogWriter::Log {
 
   void close() {
     archive_.close();
-    sidecars_.close();
-    write_description(temporary_.description, description_);
+    write_description(description_, description_file_.stream());
+    const auto files = {&description_file_, &frames_, &truth_, &solids_, &rawlog_};
+    for (PartialFile* file : files) file->complete();
     // The log proper goes last: where it stands, the files beside it are its own.
-    fs::remove(final_.rawlog);
-    const std::vector<fs::path> from = temporary_.sidecars(), to = final_.sidecars();
-    for (std::size_t i = 0; i < from.size(); ++i) fs::rename(from[i], to[i]);
-    fs::rename(temporary_.rawlog, final_.rawlog);
+    fs::remove(rawlog_name_);
+    for (PartialFile* file : files) file->commit();
   }
 
  private:
@@ -165,18 +144,17 @@ class RawlogWriter::Log {
     archive_ << observation;
   }
 
-  LogFiles final_;
-  TemporaryFolder folder_;
-  LogFiles temporary_;
+  fs::path rawlog_name_;
+  PartialFile rawlog_, description_file_, frames_, truth_, solids_;
   LogDescription description_;
   SidecarWriter sidecars_;
-  GzArchive archive_;
+  GzWriter archive_;
   mrpt::obs::CObservationRotatingScan scan_;
 };
 
 RawlogWriter::RawlogWriter(const fs::path& rawlog, const LidarModel& lidar,
                            const ldm::Pose& T_uav_sensor)
-    : log_(std::make_unique<Log>(rawlog, lidar, T_uav_sensor)) {}
+    : log_(std::make_unique<Log>(LogFiles(rawlog), lidar, T_uav_sensor)) {}
 RawlogWriter::~RawlogWriter() = default;
 
 void RawlogWriter::write(double time, const QuaternionPose& T_world_uav, const RangeImage& image,

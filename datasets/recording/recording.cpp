@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "datasets/rawlog/rawlog.h"
 #include "datasets/rawlog/rawlog_sidecars.h"
 #include "datasets/recording/filter/scan_filter.h"

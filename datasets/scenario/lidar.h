@@ -12,11 +12,11 @@ namespace datasets {
 struct LidarModel {
   std::vector<double> elevations;  ///< of the channels, ascending [rad]
   std::int32_t azimuths =
-      1024;                   ///< firings a revolution; firing j looks at -pi + 2 pi j / azimuths
-  double rate = 10;           ///< revolutions a second [Hz]
-  double min_range = 0.3;     ///< shorter returns are lost [m]
-  double max_range = 100;     ///< longer returns are lost [m]; at most 65535 quanta
-  double range_sigma = 0.02;  ///< standard deviation of the range noise [m]
+      1024;                ///< firings a revolution; firing j looks at -pi + 2 pi j / azimuths
+  double rate = 10;        ///< revolutions a second [Hz]
+  double min_range = 0.3;  ///< shorter returns are lost [m]
+  double max_range = 100;  ///< longer returns are lost [m]; at most 65535 quanta
+  double range_sigma = 0;  ///< standard deviation of the range noise [m]
 };
 
 /// Ranges in quanta of 2 mm, 0 for no return; channel-major: [channel * azimuths + firing].

@@ -103,7 +103,7 @@ PictureCamera camera_of(const Picture& picture) {
   return {picture.border, within, -60 * kDegree, 25 * kDegree, 2000};
 }
 
-void write_png(const Picture& picture, const std::filesystem::path& file) {
+void write_png(const Picture& picture, datasets::PartialFile& file) {
   PictureCanvas canvas(camera_of(picture));
   draw(picture, canvas);
   canvas.write_png(file);

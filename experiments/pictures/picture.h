@@ -3,10 +3,10 @@
 /// 13 of the paper).
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "datasets/files/partial_file.h"
 #include "experiments/pictures/picture_camera.h"
 #include "ldm/types.h"
 
@@ -50,10 +50,10 @@ struct Picture {
 /// The camera that `write_png` looks through.
 PictureCamera camera_of(const Picture& picture);
 
-/// Draw to a new file, whose name must end in `.png`. Text: ASCII. Same picture, same machine: same
+/// Draw to a file, whose name must end in `.png`. Text: ASCII. Same picture, same machine: same
 /// file. Needs EGL, but no display. To be called from one thread only. About 1 s.
-/// @throws ldm::InvalidInput if the file cannot be written, std::runtime_error if there is no EGL.
-void write_png(const Picture& picture, const std::filesystem::path& file);
+/// @throws std::runtime_error if the file cannot be written, or if there is no EGL.
+void write_png(const Picture& picture, datasets::PartialFile& file);
 
 /// The same as pixels: rows from the top, each of kWidth times red, green, blue.
 std::vector<std::uint8_t> pixels(const Picture& picture);

@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "experiments/pictures/png_file.h"
+
 namespace experiments {
 namespace {
 
@@ -290,10 +292,8 @@ void PictureCanvas::words(const Vector2d& at, double size, const std::string& te
   }
 }
 
-void PictureCanvas::write_png(const std::filesystem::path& file) {
-  if (scene_->draw(camera_).saveToFile(file.string())) return;
-  throw ldm::InvalidInput(file.string() +
-                          ": cannot be written: allowed: FILE.png in an existing folder");
+void PictureCanvas::write_png(datasets::PartialFile& file) {
+  save_png(scene_->draw(camera_), file);
 }
 
 std::vector<std::uint8_t> PictureCanvas::pixels() {

@@ -1,6 +1,5 @@
 #pragma once
 /// What a picture is drawn on: solids, lines and words, through MRPT's renderer (no paper section).
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -49,7 +48,7 @@ class PictureCanvas {
   double width(const std::string& text, double size) const;
 
   /// @throws as the free function write_png.
-  void write_png(const std::filesystem::path& file);
+  void write_png(datasets::PartialFile& file);
   /// See the free function pixels.
   std::vector<std::uint8_t> pixels();
   /// What was drawn, for MRPT's window; nothing may be drawn afterwards.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "datasets/files/partial_file.h"
 
@@ -28,8 +29,12 @@ class VideoFile {
 
  private:
   bool ended_well();
+  /// Throws with what ffmpeg said.
+  [[noreturn]] void fail();
 
+  std::string name_;
   datasets::PartialFile file_;
+  int errors_ = -1;  // a file in memory
   int to_ffmpeg_ = -1;
   pid_t ffmpeg_ = -1;
 };

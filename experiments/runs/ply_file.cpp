@@ -3,9 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 
 namespace experiments {
 namespace {
@@ -32,8 +29,7 @@ std::array<char, kVertexBytes> bytes_of(const PlyVertex& vertex) {
 }  // namespace
 
 void write_ply(const std::vector<PlyVertex>& vertices, const std::string& comment,
-               const std::filesystem::path& file) {
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+               std::ostream& out) {
   out << "ply\nformat binary_little_endian 1.0\n";
   if (!comment.empty()) out << "comment " << comment << '\n';
   out << "element vertex " << vertices.size() << '\n';
@@ -41,8 +37,6 @@ void write_ply(const std::vector<PlyVertex>& vertices, const std::string& commen
   for (const char* colour : {"red", "green", "blue"}) out << "property uchar " << colour << '\n';
   out << "property float occupancy\nproperty int track\nend_header\n";
   for (const PlyVertex& vertex : vertices) out.write(bytes_of(vertex).data(), kVertexBytes);
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + ": cannot be written: disk full?");
 }
 
 }  // namespace experiments

@@ -1,7 +1,7 @@
 #pragma once
 /// Voxels as a PLY file, which MeshLab, CloudCompare and PCL open (no paper section).
 #include <cstdint>
-#include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,8 +18,7 @@ struct PlyVertex {
 
 /// Little-endian binary PLY with the properties x, y, z, red, green, blue, occupancy, track.
 /// @param comment a line for the file's header, or empty
-/// @throws std::runtime_error if the file cannot be written.
 void write_ply(const std::vector<PlyVertex>& vertices, const std::string& comment,
-               const std::filesystem::path& file);
+               std::ostream& out);
 
 }  // namespace experiments

@@ -59,7 +59,7 @@ void render_still(const RenderRequest& request, PictureStream& stream) {
     if (!stream.next()) check_frame("--frame", *request.frame, frames, stream.input());
     progress.show(frames + 1, cluster_count(stream));
   }
-  write_png(stream.picture(), file.temporary_name());
+  write_png(stream.picture(), file);
   file.commit();
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "datasets/files/csv.h"
 #include "datasets/frame.h"
 #include "experiments/method/stage_clock.h"
 
@@ -20,10 +21,10 @@ inline constexpr std::string_view kFrameColumns =
 /// One row of clusters.csv for each cluster.
 /// @param tracks of the clusters, see ClusterTracks
 void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map,
-                    const std::vector<std::int64_t>& tracks, std::ostream& out);
+                    const std::vector<std::int64_t>& tracks, datasets::CsvWriter& out);
 
 /// One row of frames.csv.
-void write_frame(const datasets::Frame& frame, const ldm::LocalMap& map, std::ostream& out);
+void write_frame(const datasets::Frame& frame, const ldm::LocalMap& map, datasets::CsvWriter& out);
 
 /// timing.csv: raw times of every frame [ms], warm-up included.
 /// @param frames numbers of the frames that the clock has timed

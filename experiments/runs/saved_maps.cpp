@@ -22,7 +22,7 @@ std::string name_of(std::int64_t frame) {
 void write_ply_file(const std::vector<PlyVertex>& vertices, const std::string& comment,
                     const std::filesystem::path& name) {
   datasets::PartialFile file(name);
-  write_ply(vertices, comment, file.temporary_name());
+  write_ply(vertices, comment, file.stream());
   file.commit();
 }
 
@@ -63,7 +63,7 @@ void SavedMaps::write_files(const datasets::Frame& frame, const ldm::LocalMap& m
   if (ply_) write_ply_files(frame, map, tracks, colours, name);
   if (bt_) {
     datasets::PartialFile file(folder_ / (name + ".bt"));
-    baselines::write_bt(map, datasets::origin_text(frame), file.temporary_name());
+    baselines::write_bt(map, datasets::origin_text(frame), file.stream());
     file.commit();
   }
 }

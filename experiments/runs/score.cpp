@@ -2,21 +2,21 @@
 
 #include <cstdio>
 
+#include "datasets/files/csv.h"
 #include "datasets/files/partial_file.h"
+#include "datasets/files/text.h"
 #include "experiments/runs/score_json.h"
 #include "experiments/runs/truth_table.h"
 
 namespace experiments {
 namespace {
 
-constexpr char kScoreColumns[] =
-    "id,dynamic,frames,matched,position_error_m,velocity_error_mps,tracks,switches\n";
+constexpr std::string_view kScoreColumns =
+    "id,dynamic,frames,matched,position_error_m,velocity_error_mps,tracks,switches";
 
-std::string number(const Mean& mean, const char* format, const char* nothing) {
-  if (!mean.value()) return nothing;
-  char text[32];
-  std::snprintf(text, sizeof text, format, *mean.value());
-  return text;
+/// Empty, or `nothing`, of no observation.
+std::string number(const Mean& mean, int decimals, std::string_view nothing = "") {
+  return mean.value() ? datasets::rounded(*mean.value(), decimals) : std::string(nothing);
 }
 
 void print_row(const std::string& name, const std::string& kind, const ObjectScore& score,
@@ -26,9 +26,9 @@ void print_row(const std::string& name, const std::string& kind, const ObjectSco
   char line[160];
   std::snprintf(line, sizeof line, "%-10s %-8s %8lld %9.1f %%  %10s  %12s %7lld %9lld\n",
                 name.c_str(), kind.c_str(), static_cast<long long>(score.frames), share,
-                number(score.position_error, "%.3f", "-").c_str(),
-                number(score.velocity_error, "%.3f", "-").c_str(),
-                static_cast<long long>(score.tracks), static_cast<long long>(score.switches));
+                number(score.position_error, 3, "-").c_str(),
+                number(score.velocity_error, 3, "-").c_str(), static_cast<long long>(score.tracks),
+                static_cast<long long>(score.switches));
   out << line;
 }
 
@@ -50,12 +50,13 @@ void print(const TruthScore& score, std::ostream& out) {
 }
 
 void write_csv(const TruthScore& score, std::ostream& out) {
-  out << kScoreColumns;
+  constexpr int kDecimals = 6;
+  datasets::CsvWriter csv(out, kScoreColumns);
   for (const auto& [id, object] : score.objects) {
     const ObjectScore& s = object.score;
-    out << id << ',' << (object.dynamic ? 1 : 0) << ',' << s.frames << ',' << s.matched() << ','
-        << number(s.position_error, "%.6g", "") << ',' << number(s.velocity_error, "%.6g", "")
-        << ',' << s.tracks << ',' << s.switches << '\n';
+    csv.add(id).add(std::int64_t{object.dynamic}).add(s.frames).add(s.matched());
+    csv.add(number(s.position_error, kDecimals)).add(number(s.velocity_error, kDecimals));
+    csv.add(s.tracks).add(s.switches).end_row();
   }
 }
 
@@ -67,8 +68,7 @@ void score_run(const ScoreRequest& request, std::ostream& out) {
   datasets::PartialFile csv(request.run / "score.csv"), json(request.run / "score.json");
   write_csv(score, csv.stream());
   json.stream() << to_json(score, request.truth.string(), request.gate);
-  csv.commit();
-  json.commit();
+  datasets::commit_together({&csv, &json});
   print(score, out);
 }
 

@@ -4,6 +4,10 @@
 #include <octomap/OcTree.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
 namespace baselines {
 namespace {
 
@@ -30,7 +34,9 @@ ldm::LocalMap some_map() {
 TEST(OctomapFile, ReadsBackAsTheSameOccupiedAndFreeVoxels) {
   const ldm::LocalMap map = some_map();
   const std::filesystem::path file = some_file();
-  write_bt(map, "origin_m 1 2 3", file);
+  std::ofstream stream(file, std::ios::binary);
+  write_bt(map, "origin_m 1 2 3", stream);
+  stream.close();
   octomap::OcTree tree(file.string());
   std::filesystem::remove(file);
 
@@ -58,8 +64,8 @@ TEST(OctomapFile, ReadsBackAsTheSameOccupiedAndFreeVoxels) {
 TEST(OctomapFile, RefusesWhatTheTreeCannotHold) {
   ldm::LocalMap map = some_map();
   map.window.origin.x() = 32761;
-  EXPECT_THROW(write_bt(map, "", some_file()), ldm::InvalidInput);
-  EXPECT_THROW(write_bt(some_map(), "", "/none/a.bt"), std::runtime_error);
+  std::ostringstream stream;
+  EXPECT_THROW(write_bt(map, "", stream), ldm::InvalidInput);
 }
 
 }  // namespace

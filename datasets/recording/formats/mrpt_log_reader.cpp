@@ -8,7 +8,7 @@
 #include <deque>
 
 #include "datasets/files/gz_archive.h"
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "datasets/quaternion_pose.h"
 #include "datasets/recording/formats/mrpt_scans.h"
 #include "datasets/recording/scans/broken_frame.h"

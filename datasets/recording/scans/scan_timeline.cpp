@@ -1,6 +1,6 @@
 #include "datasets/recording/scans/scan_timeline.h"
 
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "datasets/recording/scans/broken_frame.h"
 
 namespace datasets {

@@ -3,7 +3,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "datasets/quaternion_pose.h"
 #include "datasets/recording/scans/broken_frame.h"
 

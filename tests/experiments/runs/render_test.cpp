@@ -107,7 +107,7 @@ TEST_F(Program, WhatFfmpegDoesWrongLeavesNothing) {
   write_ffmpeg(folder_, "cat > /dev/null\nexit 3\n");
   Result result = ldm("render current_scan scenario1 --video a.mp4 --to 2", "PATH=$PWD/bin:$PATH");
   EXPECT_EQ(result.code, 1);
-  EXPECT_EQ(result.error, "ldm: ffmpeg failed; what it said stands above\n");
+  EXPECT_EQ(result.error, "ldm: a.mp4: cannot be written: ffmpeg failed\n");
   write_ffmpeg(folder_, "exit 0\n");
   result = ldm("render current_scan scenario1 --video a.mp4 --to 2", "PATH=$PWD/bin:$PATH");
   EXPECT_EQ(result.code, 1);
