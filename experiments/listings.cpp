@@ -1,12 +1,12 @@
 #include "experiments/listings.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 
-#include "datasets/files/text.h"
-#include "datasets/recording/scans/input_parameters.h"
+#include "datasets/scenario/scenario.h"
 #include "experiments/avoidance/flight_study.h"
+#include "experiments/listings_json.h"
+#include "experiments/method/methods.h"
 #include "experiments/study/study_json.h"
 
 namespace experiments {
@@ -30,28 +30,8 @@ void print(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
+}  // namespace
 
-/// The allowed values of a parameter in words.
-struct RangeText {
-  const ldm::ParameterInfo& info;
-
-  template <class T>
-  std::string operator()(const T&) const {
-    return number(info.min).append("..").append(number(info.max));
-  }
-  std::string operator()(bool) const { return "true|false"; }
-  template <class E, class Names>
-  std::string operator()(const E&, const Names& names) const {
-    return datasets::joined(names, "|");
-  }
-};
-
-/// Of a study of either kind.
 StudyOutline outline_of(const std::string& name, const StudyOptions& options,
                         const DataFolders& folders) {
   const std::filesystem::path file = folders.studies.file(name);
@@ -59,9 +39,11 @@ StudyOutline outline_of(const std::string& name, const StudyOptions& options,
                                : outline(read_study(file, folders.scenarios, options));
 }
 
-}  // namespace
-
-void list_methods(std::ostream& out) {
+void list_methods(bool json, std::ostream& out) {
+  if (json) {
+    out << methods_json();
+    return;
+  }
   std::vector<Row> rows;
   for (const Method& method : methods()) {
     rows.push_back({std::string(method.name), std::string(method.help)});
@@ -77,23 +59,21 @@ void list_scenarios(const DataFolders& folders, std::ostream& out) {
   print(rows, out);
 }
 
-void list_parameters(const std::optional<std::string>& name, std::ostream& out) {
-  const Method* const method = name ? &find_method(*name) : nullptr;
-  const ldm::Parameters parameters = method ? default_parameters(*method) : ldm::Parameters{};
+void list_parameters(const std::optional<std::string>& of, const DataFolders& folders, bool json,
+                     std::ostream& out) {
+  const std::vector<ListedParameter> parameters = listed_parameters(of, folders);
+  if (json) {
+    out << parameters_json(parameters);
+    return;
+  }
   std::vector<Row> rows = {{"name", "symbol", "value", "unit", "range", "source", "meaning"}};
-  const auto add = [&](const auto& table, const ldm::ParameterInfo& info, const auto&... value) {
-    const auto cell = [](std::string_view text) { return text.empty() ? "-" : std::string(text); };
-    rows.push_back({cell(info.name), cell(info.symbol), get_parameter(table, info.name),
-                    cell(info.unit), RangeText{info}(value...), cell(info.source),
-                    cell(info.help)});
-  };
-  visit_parameters(parameters, [&](const ldm::ParameterInfo& info, const auto&... value) {
-    if (method == nullptr || uses(*method, info.name)) add(parameters, info, value...);
-  });
-  const datasets::InputParameters input;
-  visit_parameters(input, [&](const ldm::ParameterInfo& info, const auto&... value) {
-    add(input, info, value...);
-  });
+  for (const ListedParameter& p : parameters) {
+    Row& row = rows.emplace_back();
+    for (const std::string& cell :
+         {p.name, p.symbol, p.value, p.unit, p.range(), p.source, p.help}) {
+      row.push_back(cell.empty() ? "-" : cell);
+    }
+  }
   print(rows, out);
 }
 

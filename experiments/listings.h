@@ -7,15 +7,21 @@
 
 #include "experiments/method/data_folders.h"
 #include "experiments/study/study.h"
+#include "experiments/study/study_json.h"
 
 namespace experiments {
 
+/// A study of either kind.
+/// @throws ldm::InvalidInput if it is unknown or bad.
+StudyOutline outline_of(const std::string& study, const StudyOptions& options,
+                        const DataFolders& folders);
+
 /// Each throws ldm::InvalidInput on an unknown name or a broken file.
-void list_methods(std::ostream& out);
+void list_methods(bool json, std::ostream& out);
 void list_scenarios(const DataFolders& folders, std::ostream& out);
-/// With the values of one method, and only what it uses; without one the defaults. Then those of
-/// recordings, which are the same for all methods.
-void list_parameters(const std::optional<std::string>& method, std::ostream& out);
+/// See listed_parameters.
+void list_parameters(const std::optional<std::string>& of, const DataFolders& folders, bool json,
+                     std::ostream& out);
 /// Name, number of trials, title; or JSON: see study_json.h.
 void list_studies(const DataFolders& folders, bool json, std::ostream& out);
 /// The id of every trial, one a line; or JSON: see study_json.h.

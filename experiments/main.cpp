@@ -1,5 +1,6 @@
 /// The program `ldm`: command line to calls. Exit codes: 0 good, 1 the run failed, 2 bad input.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include "datasets/files/text.h"
 #include "experiments/avoidance/flight_study.h"
 #include "experiments/avoidance/fly.h"
+#include "experiments/completion.h"
 #include "experiments/listings.h"
 #include "experiments/method/plugins.h"
 #include "experiments/method/provenance.h"
@@ -55,6 +57,8 @@ class CommandLine {
  public:
   explicit CommandLine(std::vector<std::string> words) : words_(std::move(words)) {
     app_.require_subcommand(1);
+    app_.footer(
+        "Names and options by Tab: experiments/shell/ldm.bash, which is installed for Bash.");
     app_.set_version_flag("--version", version);
     app_.add_option("--data-dir", data_dir_,
                     "folder with datasets/scenarios and experiments/studies");
@@ -73,6 +77,11 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
+    if (words_.size() == 1) {
+      std::cout << app_.help();
+      return kGood;
+    }
+    if (words_[1] == "complete") return complete({words_.begin() + 2, words_.end()});
     try {
       app_.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -85,13 +94,57 @@ class CommandLine {
   }
 
  private:
-  /// CLI11 calls a misspelt subcommand a missing one.
+  /// CLI11 calls a misspelt subcommand a missing one, and has no idea what was meant.
   std::string reason(const CLI::ParseError& error) const {
-    const std::vector<std::string> unknown = app_.remaining();
-    if (unknown.empty() || !app_.get_subcommands().empty()) return error.what();
+    const std::vector<std::string> unknown = app_.remaining(true);
+    if (unknown.empty()) return error.what();
+    const std::vector<CLI::App*> chosen = app_.get_subcommands();
     std::vector<std::string> known;
-    for (const CLI::App* command : app_.get_subcommands({})) known.push_back(command->get_name());
-    return "unknown subcommand " + unknown.front() + ": allowed: " + datasets::joined(known);
+    if (chosen.empty()) {
+      for (const CommandWords& command : commands()) known.push_back(command.name);
+      return "unknown subcommand " + unknown.front() + ": allowed: " + datasets::joined(known) +
+             datasets::did_you_mean(unknown.front(), known);
+    }
+    for (const CommandWords& words : {words_of(app_), words_of(*chosen.front())}) {
+      known.insert(known.end(), words.flags.begin(), words.flags.end());
+      known.insert(known.end(), words.options.begin(), words.options.end());
+    }
+    // What follows an unknown option may stand before it in CLI11's list.
+    const auto option = std::find_if(unknown.begin(), unknown.end(),
+                                     [](const std::string& word) { return word.starts_with('-'); });
+    if (option == unknown.end()) return error.what();
+    return error.what() + datasets::did_you_mean(option->substr(0, option->find('=')), known);
+  }
+
+  using CommandWords = experiments::CommandWords;
+
+  static CommandWords words_of(const CLI::App& app) {
+    CommandWords words{.name = app.get_name(), .flags = {}, .options = {}, .positionals = {}};
+    for (const CLI::Option* option : app.get_options()) {
+      if (option->get_snames().empty() && option->get_lnames().empty()) {
+        words.positionals.push_back(option->get_single_name());
+      }
+      std::vector<std::string>& all =
+          option->get_items_expected_max() > 0 ? words.options : words.flags;
+      for (const std::string& name : option->get_snames()) all.push_back("-" + name);
+      for (const std::string& name : option->get_lnames()) all.push_back("--" + name);
+    }
+    return words;
+  }
+
+  std::vector<CommandWords> commands() const {
+    std::vector<CommandWords> all;
+    for (const CLI::App* command : app_.get_subcommands({})) all.push_back(words_of(*command));
+    return all;
+  }
+
+  /// `ldm complete WORD...`, for shells: a line for each word that the last may become.
+  int complete(const std::vector<std::string>& words) const {
+    for (const std::string& word :
+         experiments::completions(words_of(app_), commands(), words, folders())) {
+      std::cout << word << '\n';
+    }
+    return kGood;
   }
 
   CLI::App* add(const std::string& name, const std::string& help, const std::string& example,
@@ -118,17 +171,22 @@ class CommandLine {
   }
 
   void add_lists() {
-    add_list("methods", "list the methods", "ldm methods",
-             [] { experiments::list_methods(std::cout); });
+    add_list("methods", "list the methods", "ldm methods", [this] {
+      experiments::list_methods(json_, std::cout);
+    })->add_flag("--json", json_, "with what they read, for programs");
     add_list("scenarios", "list the scenarios", "ldm scenarios",
              [this] { experiments::list_scenarios(folders(), std::cout); });
     add_list("studies", "list the studies with their number of trials", "ldm studies", [this] {
       experiments::list_studies(folders(), json_, std::cout);
     })->add_flag("--json", json_, "with their methods, for programs");
-    add_list("parameters", "list the parameters, or those of one method with its values",
-             "ldm parameters circular_buffer",
-             [this] { experiments::list_parameters(method_, std::cout); })
-        ->add_option("METHOD", method_, "a method that `ldm methods` lists");
+    CLI::App* parameters =
+        add_list("parameters", "list the parameters of methods and recordings, or of a scenario",
+                 "ldm parameters circular_buffer",
+                 [this] { experiments::list_parameters(of_, folders(), json_, std::cout); });
+    parameters->add_option("OF", of_,
+                           "a method or scenario, with its values; or the word scenario: what "
+                           "any of them may say");
+    parameters->add_flag("--json", json_, "for programs");
     CLI::App* trials =
         add_list("trials", "list the trials of a study", "ldm trials table1 --seeds 2", [this] {
           experiments::list_trials(trial_.study, trial_.options, folders(), json_, std::cout);
@@ -145,6 +203,8 @@ class CommandLine {
                             });
     command->add_option("SCENARIO", simulate_.scenario, "name or .toml file")->required();
     command->add_option("--seed", simulate_.seed, "of the world")->capture_default_str();
+    repeatable(
+        command->add_option("--set", simulate_.settings, "scenario.NAME=VALUE; may be repeated"));
     command->add_option("--frames", simulate_.frames, "default: the scenario's")->check(positive);
     command->add_option("-o,--output", simulate_.output, "FILE.rawlog")->required();
   }
@@ -240,8 +300,9 @@ class CommandLine {
         ->required();
     command->add_option("-c,--config", request.config,
                         "TOML file of parameters, or a preset: uav, road, indoor");
-    repeatable(command->add_option("--set", request.settings,
-                                   "name=value of a parameter; may be repeated"));
+    repeatable(
+        command->add_option("--set", request.settings,
+                            "name=value of a parameter, or scenario.NAME=VALUE; may be repeated"));
     command->add_option("--seed", request.seed, "of a scenario's world (default 1)");
     command->add_option(
         "--format", request.format,
@@ -339,7 +400,7 @@ class CommandLine {
   std::function<int()> action_;
   std::optional<std::string> data_dir_;
   std::vector<std::string> plugins_;
-  std::optional<std::string> method_;
+  std::optional<std::string> of_;
   bool json_ = false;
   experiments::SimulateRequest simulate_;
   experiments::RunRequest run_;

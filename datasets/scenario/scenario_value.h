@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "datasets/files/toml_node.h"
+#include "datasets/files/text.h"
 #include "datasets/files/toml_reader.h"
 #include "datasets/random.h"
 #include "datasets/scenario/scenario.h"

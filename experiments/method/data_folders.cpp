@@ -40,8 +40,10 @@ fs::path DataFolder::file(std::string_view name) const {
   const fs::path file =
       name.ends_with(".toml") ? fs::path(name) : path / (std::string(name) + ".toml");
   if (fs::is_regular_file(file)) return file;
+  const std::vector<std::string> known = names();
   throw ldm::InvalidInput("unknown " + kind + " " + std::string(name) +
-                          ": allowed: a .toml file, " + datasets::joined(names()));
+                          ": allowed: a .toml file, " + datasets::joined(known) +
+                          datasets::did_you_mean(name, known));
 }
 
 DataFolders::DataFolders(const std::optional<std::string>& root)

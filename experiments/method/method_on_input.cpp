@@ -61,7 +61,11 @@ void check_input(const MethodOnInput& request, const DataFolders& folders) {
   throw ldm::InvalidInput(request.input +
                           ": no such recording or scenario: allowed: a file or folder that is "
                           "there, a .toml file, " +
-                          datasets::joined(names));
+                          datasets::joined(names) + datasets::did_you_mean(request.input, names));
+}
+
+bool is_of_method(const Setting& setting) {
+  return !datasets::is_input_parameter(setting.name) && scenario_key(setting).empty();
 }
 
 [[noreturn]] void refuse_option(const std::string& option, std::string_view allowed) {
@@ -90,12 +94,12 @@ ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method
   parameters.execution.threads = 0;
   const GivenSettings given = given_settings(request, folders);
   for (const Setting& setting : given.file) {
-    if (datasets::is_input_parameter(setting.name)) continue;
+    if (!is_of_method(setting)) continue;
     if (given.file_is_preset && !uses(method, setting.name)) continue;
     apply(setting, method, parameters);
   }
   for (const Setting& setting : given.options) {
-    if (!datasets::is_input_parameter(setting.name)) apply(setting, method, parameters);
+    if (is_of_method(setting)) apply(setting, method, parameters);
   }
   return parameters;
 }
@@ -122,6 +126,17 @@ std::optional<datasets::InputParameters> input_parameters_of(const MethodOnInput
   return parameters;
 }
 
+Settings scenario_settings_of(const MethodOnInput& request, const DataFolders& folders) {
+  const GivenSettings given = given_settings(request, folders);
+  Settings found;
+  for (const Settings* settings : {&given.file, &given.options}) {
+    for (const Setting& setting : *settings) {
+      if (!scenario_key(setting).empty()) found.push_back(setting);
+    }
+  }
+  return found;
+}
+
 std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
                                                   const DataFolders& folders,
                                                   std::optional<std::int64_t> frames) {
@@ -129,9 +144,12 @@ std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
   if (!input) refuse_recording_options(request);
   if (!request.is_log()) {
     if (request.recording.keep_going) refuse_option("--keep-going", "with a log or a recording");
-    const datasets::Scenario scenario =
-        datasets::read_scenario(folders.scenarios.file(request.input));
+    datasets::Scenario scenario = datasets::read_scenario(folders.scenarios.file(request.input));
+    for (const Setting& setting : scenario_settings_of(request, folders)) apply(setting, scenario);
     return std::make_unique<datasets::Simulation>(scenario, request.world_seed(), frames);
+  }
+  for (const Setting& setting : scenario_settings_of(request, folders)) {
+    refuse(setting, "with a scenario; a log is taken as it is");
   }
   if (request.seed) {
     throw ldm::InvalidInput("--seed " + std::to_string(*request.seed) +

@@ -19,7 +19,7 @@ struct MethodOnInput {
   std::string method;
   std::string input;                  ///< scenario (name or .toml), or recording (file or folder)
   std::optional<std::string> config;  ///< parameter file, or name of a preset
-  std::vector<std::string> settings;  ///< name=value, stronger than the file
+  std::vector<std::string> settings;  ///< name=value of parameters and `scenario.` values
   std::optional<std::uint64_t> seed;  ///< of the scenario's world (default 1)
   std::optional<std::string> format;  ///< one of datasets::kRecordingFormatNames
   std::optional<std::string> time_unit;  ///< one of datasets::kTimeUnitNames
@@ -42,9 +42,12 @@ ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method
 std::optional<datasets::InputParameters> input_parameters_of(const MethodOnInput& request,
                                                              const DataFolders& folders);
 
+/// Those of the scenario (`scenario.NAME`), the file's before the command line's.
+Settings scenario_settings_of(const MethodOnInput& request, const DataFolders& folders);
+
 /// @param frames of a scenario: stop after so many
 /// @throws ldm::InvalidInput if there is no such scenario or log, or on an option that is none of
-/// its kind: a log with a seed, a scenario with --keep-going.
+/// its kind: a log with a seed or `scenario.` values, a scenario with --keep-going.
 std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
                                                   const DataFolders& folders,
                                                   std::optional<std::int64_t> frames = {});

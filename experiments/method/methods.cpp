@@ -88,13 +88,13 @@ void add_methods(const std::vector<Method>& rows) {
 }
 
 const Method& find_method(std::string_view name) {
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   for (const Method& method : methods()) {
     if (method.name == name) return method;
-    known.push_back(method.name);
+    known.emplace_back(method.name);
   }
-  throw ldm::InvalidInput("unknown method " + std::string(name) +
-                          ": allowed: " + datasets::joined(known));
+  throw ldm::InvalidInput("unknown method " + std::string(name) + ": allowed: " +
+                          datasets::joined(known) + datasets::did_you_mean(name, known));
 }
 
 ldm::Parameters default_parameters(const Method& method) {

@@ -1,15 +1,32 @@
 #include "experiments/method/settings.h"
 
+#include <algorithm>
+
+#include "datasets/files/at_place.h"
+#include "datasets/files/text.h"
+
 namespace experiments {
 namespace {
 
+/// The library refuses a name that the table lacks without saying which it may have meant.
+template <class Table>
+void check_name(const Table& table, const Setting& setting) {
+  std::vector<std::string> known;
+  visit_parameters(table, [&](const ldm::ParameterInfo& info, const auto&, const auto&...) {
+    known.emplace_back(info.name);
+  });
+  if (std::find(known.begin(), known.end(), setting.name) != known.end()) return;
+  throw ldm::InvalidInput("unknown parameter " + setting.name +
+                          ": allowed: a name that `ldm parameters` lists" +
+                          datasets::did_you_mean(setting.name, known));
+}
+
 template <class Table>
 void apply_to(Table& parameters, const Setting& setting) {
-  try {
+  datasets::at_place(setting.place, [&] {
+    check_name(parameters, setting);
     set_parameter(parameters, setting.name, setting.value);
-  } catch (const ldm::InvalidInput& error) {
-    throw ldm::InvalidInput(setting.place + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace
@@ -47,6 +64,12 @@ std::string_view scenario_key(const Setting& setting) {
   std::string_view name = setting.name;
   if (!name.starts_with(kPrefix)) return {};
   return name.substr(kPrefix.size());
+}
+
+void apply(const Setting& setting, datasets::Scenario& scenario) {
+  datasets::at_place(setting.place + ": scenario", [&] {
+    datasets::set_scenario_value(scenario, scenario_key(setting), setting.value);
+  });
 }
 
 void refuse(const Setting& setting, std::string_view allowed) {

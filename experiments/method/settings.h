@@ -7,12 +7,13 @@
 
 #include "datasets/files/toml_reader.h"
 #include "datasets/recording/scans/input_parameters.h"
+#include "datasets/scenario/scenario.h"
 #include "ldm/parameters.h"
 
 namespace experiments {
 
 struct Setting {
-  std::string name;   ///< a parameter's, or in studies a scenario's with `scenario.` in front
+  std::string name;   ///< a parameter's, or a scenario's with `scenario.` in front
   std::string value;  ///< as text
   std::string place;  ///< where it was given: `file:line` or the option of the command line
 };
@@ -35,6 +36,8 @@ void apply(const Setting& setting, datasets::InputParameters& parameters);
 
 /// If the setting is of the scenario: its name there, else empty.
 std::string_view scenario_key(const Setting& setting);
+/// A setting of the scenario.
+void apply(const Setting& setting, datasets::Scenario& scenario);
 
 /// @throws ldm::InvalidInput: `place: name = value: allowed: ...`
 [[noreturn]] void refuse(const Setting& setting, std::string_view allowed);

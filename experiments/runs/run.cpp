@@ -37,26 +37,26 @@ class RunTables {
       : clusters_(folder / "clusters.csv"),
         frames_(folder / "frames.csv"),
         timing_(folder / "timing.csv"),
-        summary_(folder / "summary.json") {
-    clusters_.stream() << kClusterColumns << '\n';
-    frames_.stream() << kFrameColumns << '\n';
-  }
+        summary_(folder / "summary.json"),
+        cluster_rows_(clusters_.stream(), kClusterColumns),
+        frame_rows_(frames_.stream(), kFrameColumns) {}
 
   void add(const datasets::Frame& frame, const ldm::LocalMap& map,
            const std::vector<std::int64_t>& tracks) {
-    write_clusters(frame, map, tracks, clusters_.stream());
-    write_frame(frame, map, frames_.stream());
+    write_clusters(frame, map, tracks, cluster_rows_);
+    write_frame(frame, map, frame_rows_);
     numbers_.push_back(frame.index);
   }
 
   void finish(const RunSummary& summary) {
     write_timing(numbers_, summary.evaluation.clock, timing_.stream());
     summary_.stream() << to_json(summary, provenance());
-    for (datasets::PartialFile* file : {&clusters_, &frames_, &timing_, &summary_}) file->commit();
+    datasets::commit_together({&clusters_, &frames_, &timing_, &summary_});
   }
 
  private:
   datasets::PartialFile clusters_, frames_, timing_, summary_;
+  datasets::CsvWriter cluster_rows_, frame_rows_;
   std::vector<std::int64_t> numbers_;  // of the frames: a recording may have gaps
 };
 
@@ -66,6 +66,7 @@ RunSummary summary_of(const RunRequest& request, const Method& method, const Dat
           .request = request,
           .parameters = parameters_of(request, method, folders),
           .input_parameters = input_parameters_of(request, folders),
+          .scenario_settings = scenario_settings_of(request, folders),
           .input_counts = {},
           .origin = Eigen::Vector3d::Zero(),
           .plugin = plugin_of(method),

@@ -17,9 +17,13 @@ Json counts_json(const datasets::InputCounts& counts) {
 }
 
 /// What else it takes to run the method on the same frames again.
-Json source_json(const MethodOnInput& request) {
+Json source_json(const RunSummary& summary) {
+  const MethodOnInput& request = summary.request;
   Json json = {{"folder", std::filesystem::current_path().string()}};
   if (!request.is_log()) json["seed"] = std::to_string(request.world_seed());
+  for (const Setting& setting : summary.scenario_settings) {
+    json["set"].push_back(setting.name + '=' + setting.value);
+  }
   if (request.format) json["format"] = *request.format;
   const datasets::RecordingOptions& recording = request.recording;
   if (recording.poses) json["poses"] = recording.poses->string();
@@ -67,6 +71,9 @@ MethodOnInput request_of(const Json& json) {
   const Method& method = find_method(request.method);
   request.settings =
       settings_in(json.at("parameters"), [&](std::string_view name) { return uses(method, name); });
+  for (const Json& setting : source.value("set", Json::array())) {
+    request.settings.push_back(setting.get<std::string>());
+  }
   if (json.contains("input_parameters")) {
     for (std::string& setting :
          settings_in(json.at("input_parameters"), [](std::string_view) { return true; })) {
@@ -83,7 +90,7 @@ std::string to_json(const RunSummary& summary, const Provenance& provenance) {
                {"command", summary.command},
                {"method", summary.request.method},
                {"input", summary.request.input},
-               {"source", source_json(summary.request)},
+               {"source", source_json(summary)},
                {"frames", summary.evaluation.frames},
                {"interrupted", summary.interrupted},
                {"parameters", parameters_json(summary.parameters)},

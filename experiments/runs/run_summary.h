@@ -25,6 +25,7 @@ struct RunSummary {
   MethodOnInput request;
   ldm::Parameters parameters;
   std::optional<datasets::InputParameters> input_parameters;  ///< of a recording
+  Settings scenario_settings;                                 ///< `scenario.` values that were set
   datasets::InputCounts input_counts;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< see datasets::Frame [m]
   std::optional<PluginFile> plugin;

@@ -2,13 +2,19 @@
 
 #include "datasets/rawlog/rawlog.h"
 #include "datasets/scenario/simulation.h"
+#include "experiments/method/settings.h"
 #include "experiments/runs/progress_line.h"
 
 namespace experiments {
 
 void simulate(const SimulateRequest& request, const DataFolders& folders) {
-  const datasets::Scenario scenario =
-      datasets::read_scenario(folders.scenarios.file(request.scenario));
+  datasets::Scenario scenario = datasets::read_scenario(folders.scenarios.file(request.scenario));
+  for (const std::string& argument : request.settings) {
+    const Setting setting = parse_setting(argument);
+    if (scenario_key(setting).empty())
+      refuse(setting, "scenario.NAME=VALUE, as `ldm parameters scenario` lists them");
+    apply(setting, scenario);
+  }
   datasets::Simulation simulation(scenario, request.seed, request.frames);
   datasets::RawlogWriter log(request.output, simulation.lidar(), simulation.T_uav_sensor());
   ProgressLine progress(simulation.size());

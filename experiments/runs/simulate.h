@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/method/data_folders.h"
 
@@ -12,6 +13,7 @@ namespace experiments {
 struct SimulateRequest {
   std::string scenario;  ///< name, or its .toml file
   std::uint64_t seed = 1;
+  std::vector<std::string> settings;   ///< scenario.NAME=VALUE
   std::optional<std::int64_t> frames;  ///< default: the scenario's
   std::filesystem::path output;        ///< FILE.rawlog
 };

@@ -94,14 +94,6 @@ void read_scenarios(const TomlTable& file, const DataFolder& folder, Study& stud
   }
 }
 
-void apply_to_scenario(const Setting& setting, datasets::Scenario& scenario) {
-  try {
-    datasets::set_scenario_value(scenario, scenario_key(setting), setting.value);
-  } catch (const ldm::InvalidInput& error) {
-    throw ldm::InvalidInput(setting.place + ": scenario: " + error.what());
-  }
-}
-
 /// A value for all trials must mean something to one of their methods at least.
 void check_for_all(const Study& study, const Setting& setting) {
   if (setting.name == "execution.seed") {
@@ -122,7 +114,7 @@ void read_set(const TomlTable& file, Study& study) {
       check_for_all(study, setting);
       study.settings.push_back(setting);
     } else {
-      for (datasets::Scenario& scenario : study.scenarios) apply_to_scenario(setting, scenario);
+      for (datasets::Scenario& scenario : study.scenarios) apply(setting, scenario);
     }
   }
 }
@@ -255,7 +247,7 @@ ldm::Parameters trial_parameters(const Study& study, const Trial& trial) {
 datasets::Scenario trial_scenario(const Study& study, const Trial& trial) {
   datasets::Scenario scenario = study.scenarios[trial.scenario];
   for (const Setting& setting : study.points[trial.point]) {
-    if (!scenario_key(setting).empty()) apply_to_scenario(setting, scenario);
+    if (!scenario_key(setting).empty()) apply(setting, scenario);
   }
   return scenario;
 }

@@ -33,12 +33,129 @@ TEST_F(Program, EveryHelpHasAnExample) {
 }
 
 TEST_F(Program, RefusesABadCommandLine) {
-  expect_bad("", "subcommand");
   expect_bad("swim", "unknown subcommand swim: allowed: methods, scenarios");
+  expect_bad("--seed 3", "subcommand");
   expect_bad("run ldm scenario1", "--output");
   expect_bad("trials table1 --seeds 0", "--seeds");
   expect_bad("trials table1 --seeds many", "many");
   expect_bad("methods --colour", "--colour");
+}
+
+TEST_F(Program, BareItPrintsItsHelp) {
+  const Result bare = ldm("");
+  EXPECT_EQ(bare.code, 0);
+  EXPECT_EQ(bare.out, ldm("--help").out);
+  EXPECT_EQ(bare.error, "");
+}
+
+TEST_F(Program, AsksWhatWasMeant) {
+  expect_bad("rnu ldm scenario1 -o o", "; did you mean run?");
+  expect_bad("run lmd scenario1 -o o", "; did you mean ldm?");
+  expect_bad("run ldm scenaro1 -o o", "; did you mean scenario1?");
+  expect_bad("run ldm scenario1 -o o -c raod", "; did you mean road?");
+  expect_bad("trials tabel1", "; did you mean table1?");
+  expect_bad("run ldm scenario1 -o o --set particles.cuont=3", "; did you mean particles.count?");
+  expect_bad("run ldm scenario1 -o o --set scenario.sensor.rate_h=3",
+             "; did you mean sensor.rate_hz?");
+  expect_bad("run ldm scenario1 -o o --save-frame 3", "; did you mean --save-frames?");
+  EXPECT_EQ(ldm("run kalman scenario1 -o o").error.find("did you mean"), std::string::npos);
+}
+
+TEST_F(Program, ListsForPrograms) {
+  const std::string methods = ldm("methods --json").out;
+  EXPECT_EQ(methods.rfind("[{\"name\":\"ldm\",\"help\":\"the paper's Local", 0), 0u) << methods;
+  EXPECT_NE(methods.find("\"overrides\":{\"sensor_model.log_odds_max\":\"1.0\"}"),
+            std::string::npos);
+  const std::string parameters = ldm("parameters ldm --json").out;
+  EXPECT_NE(parameters.find("{\"name\":\"map.resolution_m\",\"symbol\":\"r\",\"value\":\"0.15\","
+                            "\"unit\":\"m\",\"min\":0.01,\"max\":10.0,\"words\":[],"),
+            std::string::npos)
+      << parameters;
+  EXPECT_NE(parameters.find("\"min\":null,\"max\":null,\"words\":[\"free\",\"drop\"]"),
+            std::string::npos);
+}
+
+TEST_F(Program, ListsTheValuesOfScenarios) {
+  const std::string any = ldm("parameters scenario").out;
+  EXPECT_NE(any.find("sensor.range_sigma_m "), std::string::npos) << any;
+  for (const char* name : {"uav.waypoints ", "uav.timetable_s_m ", "groups.NAME.stride_m ",
+                           "groups.NAME.pause_s ", "groups.NAME.lateness_s "}) {
+    EXPECT_NE(any.find(name), std::string::npos) << name;
+  }
+  const std::string one = ldm("parameters scenario3").out;
+  EXPECT_NE(one.find("sensor.rate_hz "), std::string::npos) << one;
+  EXPECT_NE(one.find("groups.boxes.count "), std::string::npos);
+  EXPECT_EQ(one.find("groups.NAME"), std::string::npos);
+  expect_bad("parameters scenario4", "unknown method scenario4");
+}
+
+TEST_F(Program, CompletesWhatIsTyped) {
+  EXPECT_EQ(ldm("complete sc").out, "scenarios\nscore\n");
+  EXPECT_EQ(ldm("complete run circ").out,
+            "circular_buffer\ncircular_buffer_low_clamp\ncircular_buffer_pf\n");
+  EXPECT_EQ(ldm("complete run ldm scenario").out, "scenario1\nscenario2\nscenario3\n");
+  EXPECT_EQ(ldm("complete run octomap scenario1 --set map.").out,
+            "map.resolution_m=\nmap.voxels=\n");
+  EXPECT_EQ(ldm("complete run octomap scenario1 --set particles.").out, "");
+  EXPECT_EQ(ldm("complete simulate scenario1 --set scenario.sensor.range").out,
+            "scenario.sensor.range_m=\nscenario.sensor.range_sigma_m=\n");
+  EXPECT_EQ(ldm("complete simulate scenario1 --set map").out, "");
+  EXPECT_EQ(ldm("complete view ldm --paus").out, "--paused\n");
+  EXPECT_EQ(ldm("complete run ldm scenario1 -c r").out, "road\n");
+  EXPECT_EQ(ldm("complete run ldm scenario1 --format kit").out, "kitti\n");
+  EXPECT_EQ(ldm("complete trial " + write_study() + " scenario1.current_scan.s00").out,
+            "scenario1.current_scan.s001\nscenario1.current_scan.s002\n"
+            "scenario1.current_scan.s003\n");
+  EXPECT_EQ(ldm("complete nothing ").code, 0);
+}
+
+TEST_F(Program, BashCompletes) {
+  const std::string script = (tests::source_folder() / "experiments/shell/ldm.bash").string();
+  const auto complete = [&](const std::string& line) {
+    return run("bash", "-c '. " + script + "; ldm() { " + LDM_PROGRAM + " \"$@\"; }; " +
+                           "COMP_LINE=\"" + line + "\"; COMP_POINT=${#COMP_LINE}; _ldm; " +
+                           "printf \"%s\\n\" \"${COMPREPLY[@]}\"'")
+        .out;
+  };
+  EXPECT_EQ(complete("ldm sim"), "simulate\n");
+  EXPECT_EQ(complete("ldm run "), ldm("complete run \"\"").out);
+  EXPECT_EQ(complete("ldm run ldm scenario1 --format kit"), "kitti\n");
+  EXPECT_EQ(complete("ldm run ldm scenario1 --set map.v"), "map.voxels=\n");
+}
+
+TEST_F(Program, SetsValuesOfScenarios) {
+  const std::string sigma = " --set scenario.sensor.range_sigma_m=0.5";
+  const std::string run = "run ldm scenario1" + std::string(kSmall);
+  ASSERT_EQ(ldm(run + " -o plain").code, 0);
+  const Result noisy = ldm(run + sigma + " -o noisy");
+  ASSERT_EQ(noisy.code, 0) << noisy.error;
+  EXPECT_NE(folder_.read("noisy/clusters.csv"), folder_.read("plain/clusters.csv"));
+  EXPECT_NE(
+      folder_.read("noisy/summary.json").find("\"set\":[\"scenario.sensor.range_sigma_m=0.5\"]"),
+      std::string::npos);
+
+  ASSERT_EQ(ldm("simulate scenario1 --frames 4" + sigma + " -o a.rawlog").code, 0);
+  EXPECT_NE(folder_.read("a.log.toml").find("range_sigma_m = 0.5\n"), std::string::npos);
+  ASSERT_EQ(ldm("run ldm a.rawlog -o log" + std::string(kSmall)).code, 0);
+  EXPECT_EQ(folder_.read("log/clusters.csv"), folder_.read("noisy/clusters.csv"));
+
+  folder_.write("p.toml", "[scenario.sensor]\nrange_sigma_m = 0.5\n");
+  ASSERT_EQ(ldm(run + " -c p.toml -o file").code, 0);
+  EXPECT_EQ(folder_.read("file/clusters.csv"), folder_.read("noisy/clusters.csv"));
+
+  const std::string picture = "render ldm scenario1 --frame 1 --set particles.count=500 -o ";
+  ASSERT_EQ(ldm(picture + "plain.png").code, 0);
+  ASSERT_EQ(ldm(picture + "noisy.png" + sigma).code, 0);
+  EXPECT_NE(folder_.read("plain.png"), folder_.read("noisy.png"));
+  ASSERT_EQ(ldm("render noisy --frame 1 -o again.png").code, 0);
+  EXPECT_EQ(folder_.read("again.png"), folder_.read("noisy.png"));
+
+  expect_bad("run ldm a.rawlog -o b" + sigma,
+             "--set: scenario.sensor.range_sigma_m = 0.5: allowed: "
+             "with a scenario");
+  expect_bad("run ldm scenario1 -o b --set scenario.sensor.range_sigma_m=99",
+             "--set: scenario: sensor.range_sigma_m = 99: allowed: a number in [0, 10]");
+  expect_bad("simulate scenario1 -o b.rawlog --set map.voxels=8", "allowed: scenario.NAME=VALUE");
 }
 
 TEST_F(Program, TrialsOfAStudy) {
