@@ -1,0 +1,133 @@
+#include "experiments/avoidance/sight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace experiments {
+namespace {
+
+constexpr double kEdge = 0.1;
+
+/// A window from the origin on, 40 x 20 x 10 voxels: a cluster that stands in voxels x = 5, and one
+/// of 2 x 1 x 3 voxels from (20, 10, 4) on that moves at 1 m/s along y.
+class TwoClusters final : public ldm::Mapper {
+ public:
+  explicit TwoClusters(const ldm::Parameters&) {}
+  void update(const ldm::Scan&, ldm::StageListener*) override {}
+  void read(ldm::LocalMap& map) const override {
+    map.window = {{0, 0, 0}, {40, 20, 10}};
+    map.resolution = kEdge;
+    map.occupancy.assign(map.window.count(), 0.5F);
+    map.labels.assign(map.window.count(), -1);
+    map.clusters.resize(2);
+    map.clusters[0].velocity = {0.1F, 0, 0};
+    map.clusters[1].velocity = {0, 1, 0};
+    for (std::size_t i = 0; i < map.window.count(); ++i) {
+      const ldm::VoxelIndex v = map.window.voxel(i);
+      const bool moves = (v.array() >= Eigen::Array3i(20, 10, 4)).all() &&
+                         (v.array() < Eigen::Array3i(22, 11, 7)).all();
+      if (!moves && v.x() != 5) continue;
+      map.occupancy[i] = 0.9F;
+      map.labels[i] = moves ? 1 : 0;
+    }
+  }
+};
+
+std::unique_ptr<Sight> sight_of_two_clusters(const Trust& trust) {
+  static const Method kMethod{.name = "two_clusters",
+                              .help = "",
+                              .finds_clusters = true,
+                              .parameters = {},
+                              .create = ldm::create<TwoClusters>};
+  auto sight = mapped_sight(kMethod, {}, trust);
+  sight->see({});
+  return sight;
+}
+
+TEST(MappedSight, TakesWhatMovesOutOfTheFieldAndPredictsItsBox) {
+  Surroundings around;
+  sight_of_two_clusters({.margin = 0, .doubt = 1, .moving_from = 0.3})->predict({0, 2}, around);
+  ASSERT_EQ(around.movers.size(), 1U);
+  const Mover& mover = around.movers[0];
+  EXPECT_NEAR((mover.half_size - Eigen::Vector3d(0.1, 0.05, 0.15)).norm(), 0, 1e-9);
+  EXPECT_NEAR((mover.centre[0] - Eigen::Vector3d(2.1, 1.05, 0.55)).norm(), 0, 1e-6);
+  EXPECT_NEAR((mover.centre[1] - Eigen::Vector3d(2.1, 3.05, 0.55)).norm(), 0, 1e-6);
+  EXPECT_NEAR(mover.doubt[0], 0.1, 1e-9);
+  EXPECT_NEAR(mover.doubt[1], std::hypot(0.1, 0.15 * 2), 1e-9);
+  // Where the mover is now, nothing stands nearer than the wall: 2.05 - 0.55 m, at most the reach.
+  EXPECT_NEAR(around.from_still({1.55, 1.05, 0.55}).value, 1.0, 1e-5);
+  EXPECT_NEAR(around.from_still({2.05, 1.05, 0.55}).value, 1.5, 1e-5);
+}
+
+TEST(MappedSight, LetsEverythingStandBelowTheSpeed) {
+  Surroundings around;
+  sight_of_two_clusters({.margin = 0.1, .doubt = 1, .moving_from = 2})->predict({0}, around);
+  EXPECT_TRUE(around.movers.empty());
+  EXPECT_NEAR(around.from_still({2.05, 1.05, 0.55}).value, 0 - 0.1, 1e-5);
+}
+
+TEST(MappedSight, KnowsAnObjectByAVoxelInItsBox) {
+  const auto sight = sight_of_two_clusters({});
+  datasets::ObjectState object;
+  object.size = {0.3, 0.3, 0.3};
+  object.position = {2.1, 1.05, 0.55};
+  EXPECT_TRUE(sight->knows(object));
+  object.position = {3, 1, 0.5};
+  EXPECT_FALSE(sight->knows(object));
+  object.position = {-50, 1, 0.5};
+  EXPECT_FALSE(sight->knows(object)) << "beyond the window";
+}
+
+/// A cylinder that goes 2 m along x at 1 m/s and then back, and one that stands.
+std::vector<datasets::Obstacle> turning_and_standing() {
+  datasets::ObstacleBody body;
+  body.solids.push_back({datasets::Solid::Shape::kCylinder, {}, {0.4, 0.4, 2}});
+  body.radius = 0.2;
+  body.height = 2;
+  const datasets::Leg there{.start = 0,
+                            .from = {0, 0},
+                            .direction = {1, 0},
+                            .length = 2,
+                            .top_speed = 1,
+                            .acceleration = 100,
+                            .pause = 0};
+  datasets::Leg back = there;
+  back.start = there.travel_time();
+  back.from = {2, 0};
+  back.direction = {-1, 0};
+  return {{0, body, 0, datasets::ObstacleMotion({there, back})},
+          {1, body, 0, datasets::ObstacleMotion({0, 1.5}, 0)}};
+}
+
+Surroundings seen_by_oracle(bool future) {
+  const std::vector<datasets::Obstacle> obstacles = turning_and_standing();
+  datasets::Frame frame;
+  frame.scan.time = 1;
+  frame.scan.T_world_uav.translation = {0, 0, 1};
+  frame.truth.emplace();
+  frame.truth->objects.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) obstacles[i].state_at(1, frame.truth->objects[i]);
+  ldm::Parameters parameters;
+  const auto sight = true_sight(parameters, obstacles, future, {.margin = 0, .doubt = 0});
+  sight->see(frame);
+  Surroundings around;
+  sight->predict({0, 2}, around);
+  return around;
+}
+
+TEST(TrueSight, LetsWhatMovesGoOn) {
+  const Surroundings around = seen_by_oracle(false);
+  ASSERT_EQ(around.movers.size(), 1U);
+  EXPECT_NEAR(around.movers[0].centre[0].x(), 1, 0.02);
+  EXPECT_NEAR(around.movers[0].centre[1].x(), 3, 0.02);
+  EXPECT_EQ(around.movers[0].doubt[1], 0);
+  EXPECT_NEAR(around.from_still({0, 1.0, 1}).value, 0.3, 0.08) << "within half a voxel";
+}
+
+TEST(TrueSight, OfTheFutureKnowsThatItTurns) {
+  EXPECT_NEAR(seen_by_oracle(true).movers.at(0).centre[1].x(), 1, 0.05);
+}
+
+}  // namespace
+}  // namespace experiments
