@@ -165,7 +165,7 @@ test-arm: ## ldm/ and its tests, built for 64-bit ARM and run under an emulator:
 	  | sed '/Passed\|^ *Start/d'
 
 # Clang's runtime for fuzzing is not among the packages that building needs.
-fuzz_targets = pcd trajectory kitti mrpt_log
+fuzz_targets = pcd trajectory kitti mrpt_log ros1_bag mcap_bag sqlite_bag
 .PHONY: fuzz
 fuzz: setup ## fuzz the readers of recordings, each for FUZZ_SECONDS (600): docs/recordings.md
 	$(call install,tests/fuzz/apt-packages.txt)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "datasets/recording/recording_info.h"
 #include "datasets/scenario/scenario.h"
 #include "experiments/avoidance/flight_study.h"
 #include "experiments/listings_json.h"
@@ -100,6 +101,10 @@ void list_trials(const std::string& name, const StudyOptions& options, const Dat
     return;
   }
   for (const StudyOutline::Trial& trial : study.trials) out << trial.id << '\n';
+}
+
+void list_recording(const MethodOnInput& request, const DataFolders& folders, std::ostream& out) {
+  datasets::describe_recording(request.input, recording_options_of(request, folders), out);
 }
 
 }  // namespace experiments

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "experiments/method/data_folders.h"
+#include "experiments/method/method_on_input.h"
 #include "experiments/study/study.h"
 #include "experiments/study/study_json.h"
 
@@ -27,5 +28,9 @@ void list_studies(const DataFolders& folders, bool json, std::ostream& out);
 /// The id of every trial, one a line; or JSON: see study_json.h.
 void list_trials(const std::string& study, const StudyOptions& options, const DataFolders& folders,
                  bool json, std::ostream& out);
+
+/// What is in a recording, which is read to its end.
+/// @throws ldm::InvalidInput if it is none.
+void list_recording(const MethodOnInput& request, const DataFolders& folders, std::ostream& out);
 
 }  // namespace experiments

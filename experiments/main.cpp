@@ -67,6 +67,7 @@ class CommandLine {
     app_.fallthrough();  // these may also follow the subcommand
     app_.get_formatter()->column_width(34);
     add_lists();
+    add_info();
     add_simulate();
     add_run();
     add_score();
@@ -195,6 +196,16 @@ class CommandLine {
     trials->add_flag("--json", json_, "with what made them, for programs");
   }
 
+  void add_info() {
+    CLI::App* command = add_list(
+        "info", "tell what is in a recording, and what of it would be taken", "ldm info drive.bag",
+        [this] { experiments::list_recording(info_, folders(), std::cout); });
+    command->add_option("FILE", info_.input, "recording (docs/recordings.md)")->required();
+    repeatable(
+        command->add_option("--set", info_.settings, "name=value of a parameter; may be repeated"));
+    add_recording_options(command, info_);
+  }
+
   void add_simulate() {
     CLI::App* command = add("simulate", "record a scenario as a log, with its truth beside it",
                             "ldm simulate scenario1 --seed 1 --frames 100 -o out.rawlog", [this] {
@@ -296,7 +307,7 @@ class CommandLine {
     command
         ->add_option("INPUT", request.input,
                      "scenario (name or .toml file), or recording: .rawlog file of ours or MRPT's, "
-                     "KITTI folder, folder of PCD files (docs/recordings.md)")
+                     "KITTI folder, folder of PCD files, bag of ROS (docs/recordings.md)")
         ->required();
     command->add_option("-c,--config", request.config,
                         "TOML file of parameters, or a preset: uav, road, indoor");
@@ -304,12 +315,21 @@ class CommandLine {
         command->add_option("--set", request.settings,
                             "name=value of a parameter, or scenario.NAME=VALUE; may be repeated"));
     command->add_option("--seed", request.seed, "of a scenario's world (default 1)");
+    add_recording_options(command, request);
+  }
+
+  static void add_recording_options(CLI::App* command, experiments::MethodOnInput& request) {
     command->add_option(
         "--format", request.format,
-        "of a recording: kitti, pcd, mrpt-rawlog, ldm-rawlog (default: recognised)");
-    command->add_option(
-        "--poses", request.recording.poses,
-        "trajectory of a folder of scans, TUM's or KITTI's (default: its poses.txt)");
+        "of a recording: kitti, pcd, bag, mrpt-rawlog, ldm-rawlog (default: recognised)");
+    command->add_option("--poses", request.recording.poses,
+                        "trajectory of a folder of scans, TUM's or KITTI's (default: its "
+                        "poses.txt), or of a bag, TUM's");
+    command->add_option("--points", request.recording.points, "topic of a bag with the scans");
+    command->add_option("--poses-topic", request.recording.poses_topic,
+                        "topic of a bag with the poses: TF, odometry or poses");
+    command->add_option("--sensor-frame", request.recording.sensor_frame,
+                        "frame that the scans of a bag are in, whatever they say");
     command->add_option("--times", request.recording.times,
                         "times of a folder of scans, one a line (default: its times.txt)");
     command->add_option("--time-unit", request.time_unit,
@@ -402,6 +422,7 @@ class CommandLine {
   std::vector<std::string> plugins_;
   std::optional<std::string> of_;
   bool json_ = false;
+  experiments::MethodOnInput info_;
   experiments::SimulateRequest simulate_;
   experiments::RunRequest run_;
   experiments::ScoreRequest score_;

@@ -9,6 +9,8 @@
 #include "datasets/recording/formats/kitti_reader.h"
 #include "datasets/recording/formats/mrpt_log_reader.h"
 #include "datasets/recording/formats/pcd_reader.h"
+#include "datasets/recording/formats/ros/bag_file.h"
+#include "datasets/recording/formats/ros/bag_reader.h"
 #include "datasets/recording/formats/scan_names.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "ldm/scan_check.h"
@@ -26,17 +28,21 @@ bool has_pcd(const fs::path& folder) {
   });
 }
 
-RecordingFormat format_of(const fs::path& path, const RecordingOptions& options) {
-  if (!fs::exists(path)) throw ldm::InvalidInput(path.string() + ": cannot be read: no such file");
-  if (options.format) return *options.format;
-  if (const auto format = recognised_format(path)) return *format;
-  throw ldm::InvalidInput(path.string() +
-                          ": no recording: allowed: a KITTI folder with velodyne/, a folder of "
-                          "*.pcd files, or a .rawlog file");
+void refuse_bag_options(const RecordingOptions& options) {
+  const std::pair<const char*, std::optional<std::string>> given[] = {
+      {"--points", options.points},
+      {"--poses-topic", options.poses_topic},
+      {"--sensor-frame", options.sensor_frame}};
+  for (const auto& [option, value] : given) {
+    if (value)
+      throw ldm::InvalidInput(std::string(option) + " " + *value + ": allowed: with a bag");
+  }
 }
 
 std::unique_ptr<ScanReader> open_reader(const fs::path& path, RecordingFormat format,
                                         const RecordingOptions& options) {
+  if (format == RecordingFormat::kBag) return open_bag_recording(path, options);
+  refuse_bag_options(options);
   switch (format) {
     case RecordingFormat::kKitti:
       return open_kitti(path, options);
@@ -53,11 +59,20 @@ std::optional<RecordingFormat> recognised_format(const fs::path& path) {
   if (fs::is_directory(path)) {
     if (fs::is_directory(path / "velodyne")) return RecordingFormat::kKitti;
     if (has_pcd(path)) return RecordingFormat::kPcd;
-    return {};
   }
+  if (is_bag(path)) return RecordingFormat::kBag;
   if (path.extension() != ".rawlog") return {};
   return fs::exists(LogFiles(path).description) ? RecordingFormat::kLdmRawlog
                                                 : RecordingFormat::kMrptRawlog;
+}
+
+RecordingFormat format_of(const fs::path& path, const RecordingOptions& options) {
+  if (!fs::exists(path)) throw ldm::InvalidInput(path.string() + ": cannot be read: no such file");
+  if (options.format) return *options.format;
+  if (const auto format = recognised_format(path)) return *format;
+  throw ldm::InvalidInput(path.string() +
+                          ": no recording: allowed: a KITTI folder with velodyne/, a folder of "
+                          "*.pcd files, a .rawlog file, or a bag (.bag, .mcap, .db3)");
 }
 
 std::unique_ptr<FrameSource> open_recording(const fs::path& path, const RecordingOptions& options) {

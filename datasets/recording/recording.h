@@ -10,9 +10,14 @@
 
 namespace datasets {
 
-/// A folder with velodyne/ is KITTI's, one with *.pcd files PCD's; NAME.rawlog is our own log if
-/// NAME.log.toml stands beside it, else an MRPT log. None for anything else.
+/// A folder with velodyne/ is KITTI's, one with *.pcd files PCD's; *.bag, *.mcap, *.db3 and folders
+/// of these are bags; NAME.rawlog is our own log if NAME.log.toml stands beside it, else an MRPT
+/// log. None for anything else.
 std::optional<RecordingFormat> recognised_format(const std::filesystem::path& path);
+
+/// That of the options, or recognised.
+/// @throws ldm::InvalidInput if there is no such file, or it is no recording.
+RecordingFormat format_of(const std::filesystem::path& path, const RecordingOptions& options);
 
 /// A recording's frames come in order of time, filtered as `options.input` says; a scan with the
 /// time of the one before is left out and counted. A log of our own is taken as it is, whatever

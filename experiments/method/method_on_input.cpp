@@ -73,7 +73,14 @@ bool is_of_method(const Setting& setting) {
 }
 
 void refuse_recording_options(const MethodOnInput& request) {
-  constexpr std::string_view kWithRecording = "with a recording (KITTI, PCD, MRPT)";
+  constexpr std::string_view kWithRecording = "with a recording (KITTI, PCD, MRPT, bags)";
+  const std::pair<const char*, std::optional<std::string>> of_bags[] = {
+      {"--points ", request.recording.points},
+      {"--poses-topic ", request.recording.poses_topic},
+      {"--sensor-frame ", request.recording.sensor_frame}};
+  for (const auto& [option, value] : of_bags) {
+    if (value) refuse_option(option + *value, "with a bag");
+  }
   const datasets::RecordingOptions& options = request.recording;
   if (request.time_unit) refuse_option("--time-unit " + *request.time_unit, kWithRecording);
   if (options.poses) refuse_option("--poses " + options.poses->string(), kWithRecording);
@@ -115,7 +122,7 @@ std::optional<datasets::InputParameters> input_parameters_of(const MethodOnInput
       if (!datasets::is_input_parameter(setting.name)) continue;
       if (!recording) {
         refuse(setting,
-               "with a recording (KITTI, PCD, MRPT); scenarios and logs of `ldm simulate` "
+               "with a recording (KITTI, PCD, MRPT, bags); scenarios and logs of `ldm simulate` "
                "are taken as they are");
       }
       apply(setting, parameters);
@@ -137,6 +144,18 @@ Settings scenario_settings_of(const MethodOnInput& request, const DataFolders& f
   return found;
 }
 
+datasets::RecordingOptions recording_options_of(const MethodOnInput& request,
+                                                const DataFolders& folders) {
+  datasets::RecordingOptions options = request.recording;
+  options.format = format_of(request);
+  if (request.time_unit) {
+    options.time_unit =
+        choice_of<datasets::TimeUnit>("--time-unit", *request.time_unit, datasets::kTimeUnitNames);
+  }
+  if (const auto input = input_parameters_of(request, folders)) options.input = *input;
+  return options;
+}
+
 std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
                                                   const DataFolders& folders,
                                                   std::optional<std::int64_t> frames) {
@@ -155,14 +174,8 @@ std::unique_ptr<datasets::FrameSource> open_input(const MethodOnInput& request,
     throw ldm::InvalidInput("--seed " + std::to_string(*request.seed) +
                             ": allowed: with a scenario; a log has no seed");
   }
-  datasets::RecordingOptions options = request.recording;
-  options.format = format_of(request);
+  datasets::RecordingOptions options = recording_options_of(request, folders);
   options.origin_step = parameters_of(request, find_method(request.method), folders).map.resolution;
-  if (request.time_unit) {
-    options.time_unit =
-        choice_of<datasets::TimeUnit>("--time-unit", *request.time_unit, datasets::kTimeUnitNames);
-  }
-  if (input) options.input = *input;
   return datasets::open_recording(request.input, options);
 }
 

@@ -45,6 +45,11 @@ std::optional<datasets::InputParameters> input_parameters_of(const MethodOnInput
 /// Those of the scenario (`scenario.NAME`), the file's before the command line's.
 Settings scenario_settings_of(const MethodOnInput& request, const DataFolders& folders);
 
+/// How a recording is to be read, by the words of the request and its input parameters.
+/// @throws ldm::InvalidInput on a word that is none, a bad file or setting.
+datasets::RecordingOptions recording_options_of(const MethodOnInput& request,
+                                                const DataFolders& folders);
+
 /// @param frames of a scenario: stop after so many
 /// @throws ldm::InvalidInput if there is no such scenario or log, or on an option that is none of
 /// its kind: a log with a seed or `scenario.` values, a scenario with --keep-going.

@@ -28,6 +28,9 @@ Json source_json(const RunSummary& summary) {
   const datasets::RecordingOptions& recording = request.recording;
   if (recording.poses) json["poses"] = recording.poses->string();
   if (recording.times) json["times"] = recording.times->string();
+  if (recording.points) json["points"] = *recording.points;
+  if (recording.poses_topic) json["poses_topic"] = *recording.poses_topic;
+  if (recording.sensor_frame) json["sensor_frame"] = *recording.sensor_frame;
   if (request.time_unit) json["time_unit"] = *request.time_unit;
   if (recording.keep_going) json["keep_going"] = true;
   return json;
@@ -61,7 +64,14 @@ MethodOnInput request_of(const Json& json) {
   };
   request.input = json.at("input").get<std::string>();
   if (source.contains("format")) request.format = source.at("format").get<std::string>();
-  if (source.contains("time_unit")) request.time_unit = source.at("time_unit").get<std::string>();
+  const auto text = [&](const char* key) -> std::optional<std::string> {
+    if (!source.contains(key)) return {};
+    return source.at(key).get<std::string>();
+  };
+  request.recording.points = text("points");
+  request.recording.poses_topic = text("poses_topic");
+  request.recording.sensor_frame = text("sensor_frame");
+  request.time_unit = text("time_unit");
   if (source.contains("seed")) request.seed = std::stoull(source.at("seed").get<std::string>());
   const bool is_name = request.seed && !request.input.ends_with(".toml");
   if (!is_name) request.input = (folder / request.input).string();

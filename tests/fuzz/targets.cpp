@@ -137,4 +137,14 @@ void mrpt_log(const std::string& bytes) {
   read_recording(write("fuzz.rawlog", bytes), options);
 }
 
+void ros1_bag(const std::string& bytes) {
+  read_recording(write("fuzz.bag", bytes), {});
+}
+void mcap_bag(const std::string& bytes) {
+  read_recording(write("fuzz.mcap", bytes), {});
+}
+void sqlite_bag(const std::string& bytes) {
+  read_recording(write("fuzz.db3", bytes), {});
+}
+
 }  // namespace fuzz

@@ -13,9 +13,18 @@ void trajectory(const std::string& bytes);  ///< a TUM or KITTI trajectory
 /// times.txt, poses.txt, calib.txt and a scan of a KITTI folder, with a line `---` between them.
 void kitti(const std::string& bytes);
 void mrpt_log(const std::string& bytes);  ///< a rawlog, plain or compressed
+void ros1_bag(const std::string& bytes);
+void mcap_bag(const std::string& bytes);
+void sqlite_bag(const std::string& bytes);
 
 /// Every target with its name, which is that of its corpus.
 inline constexpr std::pair<std::string_view, void (*)(const std::string&)> kTargets[] = {
-    {"pcd", pcd}, {"trajectory", trajectory}, {"kitti", kitti}, {"mrpt_log", mrpt_log}};
+    {"pcd", pcd},
+    {"trajectory", trajectory},
+    {"kitti", kitti},
+    {"mrpt_log", mrpt_log},
+    {"ros1_bag", ros1_bag},
+    {"mcap_bag", mcap_bag},
+    {"sqlite_bag", sqlite_bag}};
 
 }  // namespace fuzz

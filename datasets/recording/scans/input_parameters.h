@@ -83,6 +83,7 @@ struct InputParameters {
   PosesOf poses_of = PosesOf::kAuto;
   BinColumns bin_columns = BinColumns::kAuto;
   double pose_gap = 1;  // [s]
+  bool deskew = true;
   SensorMountParameters sensor;
   BodyParameters body;
   double min_range = 0.5, max_range = 1000;  // [m]
@@ -109,6 +110,9 @@ void visit_parameters(
   visit(Info{"input.pose_gap_s", "", "s", 0.001, 3600, kSource,
              "longest gap between two poses that may be bridged for a scan between them"},
         p.pose_gap);
+  visit(Info{"input.deskew", "", "", 0, 1, kSource,
+             "points of a bag that say when they were measured are moved to their scan's time"},
+        p.deskew);
 
   visit(Info{"input.sensor.from_log", "", "", 0, 1, kSource,
              "an MRPT log says where its sensor sits on the vehicle; false: the next six do"},

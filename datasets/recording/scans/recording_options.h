@@ -2,6 +2,7 @@
 /// How a recording is to be read (no paper section).
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "datasets/recording/scans/input_parameters.h"
@@ -9,17 +10,21 @@
 
 namespace datasets {
 
-enum class RecordingFormat { kLdmRawlog, kMrptRawlog, kKitti, kPcd };
+enum class RecordingFormat { kLdmRawlog, kMrptRawlog, kKitti, kPcd, kBag };
 inline constexpr std::string_view kRecordingFormatNames[] = {"ldm-rawlog", "mrpt-rawlog", "kitti",
-                                                             "pcd"};
+                                                             "pcd", "bag"};
 
 struct RecordingOptions {
   std::optional<RecordingFormat> format;       ///< absent: recognised
   std::optional<std::filesystem::path> poses;  ///< trajectory, if not FOLDER/poses.txt
   std::optional<std::filesystem::path> times;  ///< if not FOLDER/times.txt
   std::optional<TimeUnit> time_unit;           ///< of those two files; absent: seconds, checked
-  bool keep_going = false;                     ///< skip and count broken frames
-  double origin_step = 1;                      ///< `Frame::origin` is a multiple of this [m]
+  // Of a bag; absent: chosen where there is no choice.
+  std::optional<std::string> points;        ///< topic of the scans
+  std::optional<std::string> poses_topic;   ///< of TF, odometry or poses
+  std::optional<std::string> sensor_frame;  ///< that the scans are in, whatever they say
+  bool keep_going = false;                  ///< skip and count broken frames
+  double origin_step = 1;                   ///< `Frame::origin` is a multiple of this [m]
   InputParameters input;
 };
 

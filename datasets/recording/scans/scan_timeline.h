@@ -8,7 +8,7 @@
 
 #include "datasets/recording/scans/input_parameters.h"
 #include "datasets/recording/scans/time_unit.h"
-#include "datasets/recording/scans/trajectory.h"
+#include "datasets/recording/scans/trajectory_track.h"
 
 namespace datasets {
 
@@ -44,15 +44,14 @@ class ScanTimeline {
   std::string place() const;
 
  private:
-  bool by_time() const { return times_ && trajectory_ && trajectory_->has_times(); }
   ldm::Pose pose_at(double time);
 
   TimelineFiles files_;
   double longest_gap_;
   double unit_ = 1;  // of the times [s]
   std::optional<NumberLines> times_;
-  std::optional<TrajectoryFile> trajectory_;
-  PoseTrack track_;
+  std::optional<TrajectoryFile> poses_;   // one a scan
+  std::optional<TrajectoryTrack> track_;  // or at the times
 };
 
 }  // namespace datasets

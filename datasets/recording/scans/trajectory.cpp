@@ -1,6 +1,7 @@
 #include "datasets/recording/scans/trajectory.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 #include "datasets/files/text.h"
@@ -89,13 +90,13 @@ bool PoseTrack::add(const StampedPose& pose) {
 
 std::optional<ldm::Pose> PoseTrack::at(double time, double longest_gap) {
   // Two always stay: they tell the velocity beyond the end.
-  while (poses_.size() > 2 && poses_[1].time <= time) poses_.pop_front();
+  while (poses_.size() > 2 && poses_[1].time <= time - kMemory) poses_.pop_front();
   if (poses_.empty() || time < poses_.front().time - kReach || time > poses_.back().time + kReach) {
     return {};
   }
-  const StampedPose& a = poses_.front();
-  if (poses_.size() == 1) return a.pose;
-  const StampedPose& b = poses_[1];
+  if (poses_.size() == 1) return poses_.front().pose;
+  const std::size_t first = before(time);
+  const StampedPose &a = poses_[first], &b = poses_[first + 1];
   if (time == a.time) return a.pose;
   if (time == b.time) return b.pose;
   if (b.time - a.time > longest_gap) return {};
@@ -103,13 +104,18 @@ std::optional<ldm::Pose> PoseTrack::at(double time, double longest_gap) {
 }
 
 std::string PoseTrack::around(double time) const {
-  std::string text;
-  for (const StampedPose& pose : poses_) {
-    if (!text.empty()) text += " and ";
-    text += decimal(pose.time);
-    if (pose.time > time) break;
-  }
-  return text.empty() ? "no poses" : "poses at " + text + " s";
+  if (poses_.empty()) return "no poses";
+  if (poses_.size() == 1) return "poses at " + decimal(poses_[0].time) + " s";
+  const std::size_t first = before(time);
+  return "poses at " + decimal(poses_[first].time) + " and " + decimal(poses_[first + 1].time) +
+         " s";
+}
+
+std::size_t PoseTrack::before(double time) const {
+  const auto later =
+      std::upper_bound(poses_.begin() + 1, poses_.end() - 1, time,
+                       [](double t, const StampedPose& pose) { return t < pose.time; });
+  return static_cast<std::size_t>(later - poses_.begin()) - 1;
 }
 
 }  // namespace datasets

@@ -58,6 +58,8 @@ class TrajectoryFile {
 /// The stretch of a trajectory around the present time; older poses are forgotten.
 class PoseTrack {
  public:
+  /// How far back from the latest time that was asked for another one may be [s].
+  static constexpr double kMemory = 2;
   /// Beyond its ends a track goes on this long at constant velocity [s]: stamps are rounded, and
   /// the pose of the first or last sweep may be stamped at its middle.
   static constexpr double kReach = 0.15;
@@ -69,13 +71,16 @@ class PoseTrack {
   bool covers(double time) const { return !poses_.empty() && poses_.back().time >= time; }
   bool empty() const { return poses_.empty(); }
 
-  /// The pose at `time`; times do not go back from call to call. None where the track has a gap of
-  /// more than `longest_gap` [s] there, or `time` lies beyond its reach.
+  /// The pose at `time`; times go back by no more than kMemory from call to call. None where the
+  /// track has a gap of more than `longest_gap` [s] there, or `time` lies beyond its reach.
   std::optional<ldm::Pose> at(double time, double longest_gap);
   /// For messages: the times of the poses around.
   std::string around(double time) const;
 
  private:
+  /// The first of two poses around `time`, or of the two nearest; there must be two.
+  std::size_t before(double time) const;
+
   std::deque<StampedPose> poses_;
 };
 

@@ -22,7 +22,11 @@ TEST_F(Recordings, TheFormatIsRecognised) {
   EXPECT_EQ(recognised_format(log), RecordingFormat::kMrptRawlog);
   write("c.log.toml", "");
   EXPECT_EQ(recognised_format(log), RecordingFormat::kLdmRawlog);
-  EXPECT_EQ(recognised_format(write("d.bag", "")), std::nullopt);
+  for (const char* name : {"d.bag", "e.mcap", "f.db3", "split/g_0.mcap"}) {
+    EXPECT_EQ(recognised_format(write(name, "")), RecordingFormat::kBag) << name;
+  }
+  EXPECT_EQ(recognised_format(folder_ / "split"), RecordingFormat::kBag);
+  EXPECT_EQ(recognised_format(write("h.las", "")), std::nullopt);
 }
 
 TEST_F(Recordings, WhatIsNoRecordingIsRefused) {

@@ -212,22 +212,40 @@ TEST_F(RecordingRun, FoldersWithNamesInLatin1) {
 
 TEST_F(RecordingRun, OptionsWithoutAnEffectAreRefused) {
   expect_bad("run ldm scenario1 -o o --set input.min_range_m=2",
-             "--set: input.min_range_m = 2: allowed: with a recording (KITTI, PCD, MRPT)");
+             "--set: input.min_range_m = 2: allowed: with a recording (KITTI, PCD, MRPT, bags)");
   expect_bad("run ldm scenario1 -o o -c road", "road.toml:");
   expect_bad("run ldm scenario1 -o o --keep-going", "--keep-going: allowed: with a log");
   expect_bad("run ldm scenario1 -o o --poses p.txt", "--poses p.txt: allowed: with a recording");
   expect_bad("run ldm scenario1 -o o --times t.txt", "--times t.txt: allowed: with a recording");
   expect_bad("run ldm scenario1 -o o --time-unit ms", "--time-unit ms: allowed: with a recording");
   expect_bad("run ldm drive -o o --time-unit h", "--time-unit h: allowed: s, ms, us, ns");
+  expect_bad("run ldm scenario1 -o o --points /scan", "--points /scan: allowed: with a bag");
+  expect_bad("run ldm drive -o o --sensor-frame os", "--sensor-frame os: allowed: with a bag");
   expect_bad("run ldm drive --seed 3 -o o", "--seed 3: allowed: with a scenario");
   ASSERT_EQ(ldm("simulate scenario1 --frames 2 -o a.rawlog").code, 0);
   expect_bad("run ldm a.rawlog -o o --set input.ground.removal=plane", "allowed: with a recording");
   expect_bad("run ldm a.rawlog -o o --times t.txt", "--times t.txt: allowed: with a recording");
 }
 
+TEST_F(RecordingRun, InfoTellsWhatIsInARecording) {
+  std::filesystem::resize_file(folder_.path() / "drive/velodyne/000002.bin", 10);
+  const Result result = ldm("info drive --set input.max_range_m=15");
+  EXPECT_EQ(result.code, 0) << result.error;
+  EXPECT_EQ(result.out.rfind("format  kitti\nscans   3 that can be used, 6.7 Hz\n"
+                             "times   0.000 to 0.300 s (0.3 s)\npoints  ",
+                             0),
+            0u)
+      << result.out;
+  EXPECT_NE(result.out.find("\nsensor  from (0.00, 0.00, 0.00) to (2.40, 0.00, 0.00) m\n"
+                            "lost    1 frames skipped: 1 broken scan\n"),
+            std::string::npos)
+      << result.out;
+  expect_bad("info driev", "driev: no such recording or scenario");
+}
+
 TEST_F(RecordingRun, BadInputsNameWhatIsAllowed) {
-  expect_bad("run ldm drive --format bag -o o",
-             "--format bag: allowed: ldm-rawlog, mrpt-rawlog, kitti, pcd");
+  expect_bad("run ldm drive --format las -o o",
+             "--format las: allowed: ldm-rawlog, mrpt-rawlog, kitti, pcd, bag");
   expect_bad("run ldm drive --format pcd -o o", "drive: has no scans (*.pcd)");
   expect_bad("run ldm no/drive -o o", "no/drive: cannot be read: no such file");
   expect_bad("run ldm drive -o o --set input.ground.removal=flat", "allowed: none, plane, grid");

@@ -1,0 +1,257 @@
+#include "datasets/recording/formats/ros/bag_reader.h"
+
+#include <algorithm>
+#include <deque>
+#include <exception>
+#include <utility>
+
+#include "datasets/files/text.h"
+#include "datasets/recording/formats/ros/bag_contents.h"
+#include "datasets/recording/formats/ros/cloud_message.h"
+#include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/deskew.h"
+#include "datasets/recording/scans/sensor_mount.h"
+#include "datasets/recording/scans/trajectory_track.h"
+
+namespace datasets {
+namespace {
+
+constexpr std::size_t kMostWaiting = 64;
+
+/// Where vehicle and sensor were, by the source that the plan names.
+class BagTrajectory {
+ public:
+  BagTrajectory(const BagPlan& plan, const RecordingOptions& options)
+      : plan_(plan), longest_gap_(options.input.pose_gap) {
+    if (plan_.poses == BagPoses::kLines) lines_.emplace(*options.poses);
+    if (plan_.poses != BagPoses::kFile) return;
+    if (!options.time_unit) check_seconds(*options.poses, TrajectoryFile::kTumNumbers);
+    file_.emplace(TrajectoryFile(*options.poses),
+                  seconds_in(options.time_unit.value_or(TimeUnit::kSeconds)));
+  }
+
+  /// Where the poses have a line for each scan: takes that of the next one.
+  /// @throws BrokenFrame naming the line that is broken.
+  void take_scan(double stamp) {
+    if (!lines_) return;
+    lines_->advance();
+    track_.add({stamp, lines_->pose().pose});
+  }
+
+  /// Takes a message of TF, or of the topic with the poses.
+  /// @return an empty text, or what is wrong with it
+  std::string take(const BagTopic& topic, std::string_view bytes) {
+    const bool tf = plan_.poses == BagPoses::kTf && is_tf(topic.type);
+    if (!tf && (plan_.poses != BagPoses::kTopic || topic.name != plan_.poses_topic)) return {};
+    const std::string failure = read_transforms(topic, bytes, transforms_);
+    for (const StampedTransform& transform : transforms_) {
+      if (tf) {
+        tree_.add(transform, topic.name.ends_with("tf_static"));
+      } else {
+        track_.add(transform.T_parent_child);  // one that goes back in time is left out
+      }
+    }
+    return failure;
+  }
+
+  /// True if no later message changes what `at` gives.
+  bool covers(double time) const {
+    if (plan_.poses == BagPoses::kTf) {
+      return tree_.covers(plan_.sensor_frame, plan_.world_frame, time);
+    }
+    const bool tracked = plan_.poses == BagPoses::kTopic || plan_.poses == BagPoses::kLines;
+    return !tracked || track_.covers(time);
+  }
+
+  /// Sets the poses of `scan` at a time. @return false if there are none, and `gap` says where
+  bool at(double time, ldm::Scan& scan, std::string& gap) {
+    if (plan_.poses == BagPoses::kTf) {
+      const auto place = tree_.at(plan_.sensor_frame, plan_.world_frame, time, longest_gap_, gap);
+      if (!place) return false;
+      scan.T_world_sensor = place->T_root_frame;
+      scan.T_world_uav = place->T_root_vehicle;
+      return true;
+    }
+    std::optional<ldm::Pose> pose = ldm::Pose();
+    if (plan_.poses == BagPoses::kTopic || lines_) pose = track_.at(time, longest_gap_);
+    if (plan_.poses == BagPoses::kFile) pose = file_->at(time, longest_gap_);
+    if (!pose) {
+      gap = plan_.poses == BagPoses::kTopic
+                ? plan_.poses_topic + " has " + track_.around(time)
+                : "the file of --poses has " + (file_ ? file_->around(time) : track_.around(time));
+      return false;
+    }
+    set_poses(*pose, plan_.of_sensor ? PosesOf::kSensor : PosesOf::kVehicle, plan_.T_vehicle_sensor,
+              scan);
+    return true;
+  }
+
+ private:
+  BagPlan plan_;
+  double longest_gap_;
+  FrameTree tree_;
+  PoseTrack track_;
+  std::optional<TrajectoryTrack> file_;
+  std::optional<TrajectoryFile> lines_;
+  std::vector<StampedTransform> transforms_;
+};
+
+class BagReader : public ScanReader {
+ public:
+  BagReader(const std::filesystem::path& path, const RecordingOptions& options)
+      : plan_(plan_of(path, options)),
+        bag_(open_bag(path)),
+        trajectory_(plan_, options),
+        deskew_(options.input.deskew && plan_.poses != BagPoses::kStill),
+        gap_(options.input.pose_gap),
+        tell_others_(!options.points) {}
+
+  bool next(Frame& frame) override {
+    while (!may_take_one()) read_message();
+    if (waiting_.empty()) {
+      if (damage_) std::rethrow_exception(std::exchange(damage_, nullptr));
+      return false;
+    }
+    Waiting scan = std::move(waiting_.front());
+    waiting_.pop_front();
+    place_ = scan.place;
+    frame.index = frames_++;
+    frame.truth.reset();
+    take(scan, frame.scan);
+    return true;
+  }
+  std::optional<std::int64_t> size() const override { return {}; }
+  std::string place() const override { return place_; }
+  InputCounts counts() const override { return counts_; }
+
+ private:
+  /// A scan whose poses may not have been read yet.
+  struct Waiting {
+    CloudMessage cloud;
+    std::string place, failure;
+    double end = 0;  ///< when its last point was measured [s]
+  };
+
+  bool may_take_one() const {
+    if (ended_) return true;
+    if (waiting_.empty()) return false;
+    return waiting_.size() >= kMostWaiting || trajectory_.covers(waiting_.front().end);
+  }
+
+  void read_message() {
+    BagMessage message;
+    try {
+      ended_ = !bag_->next(message);
+    } catch (const BrokenFrame&) {
+      ended_ = true;
+      damage_ = std::current_exception();
+    }
+    if (ended_) return;
+    const BagTopic& topic = bag_->topics()[message.topic];
+    if (topic.name == plan_.points) {
+      take_scan(topic, message.bytes);
+    } else if (tell_others_ && is_cloud(topic.type)) {
+      ++counts_.other_sensors[topic.name];
+    } else {
+      take_pose(topic, message.bytes);
+    }
+  }
+
+  void take_scan(const BagTopic& topic, std::string_view bytes) {
+    Waiting scan;
+    scan.place = bag_->place();
+    try {
+      scan.failure = read_cloud(topic, bytes, deskew_, scan.cloud);
+      trajectory_.take_scan(scan.cloud.header.stamp);
+    } catch (const ShortBytes& error) {
+      scan.failure = error.what();
+    } catch (const BrokenFrame& error) {
+      scan.failure = error.what();
+    }
+    scan.end = scan.cloud.header.stamp;
+    const auto& delays = scan.cloud.delays;
+    if (!delays.empty()) {
+      scan.end +=
+          std::max(0.0, static_cast<double>(*std::max_element(delays.begin(), delays.end())));
+    }
+    waiting_.push_back(std::move(scan));
+  }
+
+  void take_pose(const BagTopic& topic, std::string_view bytes) {
+    std::string failure;
+    try {
+      failure = trajectory_.take(topic, bytes);
+    } catch (const ShortBytes&) {
+      failure = "cut short";
+    }
+    if (!failure.empty()) ++counts_.other["broken messages with poses"];
+  }
+
+  void take(Waiting& waiting, ldm::Scan& scan) {
+    const double time = waiting.cloud.header.stamp;
+    if (!waiting.failure.empty()) {
+      throw BrokenFrame("broken scan", place_ + ": " + waiting.failure);
+    }
+    if (time == 0)
+      throw BrokenFrame("no time", place_ + ": the scan's stamp is 0: allowed: a time");
+    scan.time = time;
+    std::string gap;
+    if (!trajectory_.at(time, scan, gap)) reject_pose(time, gap);
+    scan.points = std::move(waiting.cloud.points);
+    scan.no_returns.clear();
+    ldm::Scan moment;
+    const auto sensor_at = [&](double delay) -> std::optional<ldm::Pose> {
+      if (!trajectory_.at(time + delay, moment, gap)) return {};
+      return moment.T_world_sensor;
+    };
+    if (!deskew(waiting.cloud.delays, scan.T_world_sensor, sensor_at, scan.points)) {
+      reject_pose(time, gap);
+    }
+  }
+
+  [[noreturn]] void reject_pose(double time, const std::string& gap) const {
+    throw BrokenFrame("no pose", place_ + ": no pose for the scan at " + decimal(time) +
+                                     " s: " + gap +
+                                     ": allowed: a gap of input.pose_gap_s = " + decimal(gap_));
+  }
+
+  BagPlan plan_;
+  std::unique_ptr<BagFile> bag_;
+  BagTrajectory trajectory_;
+  bool deskew_;
+  double gap_;        // [s]
+  bool tell_others_;  // of topics with scans that were not chosen by name
+  bool ended_ = false;
+  std::exception_ptr damage_;
+  std::int64_t frames_ = 0;
+  std::string place_;
+  std::deque<Waiting> waiting_;
+  InputCounts counts_;
+};
+
+/// Of a file with a line for each scan the bag is read once before: a line too few or too many
+/// would give each scan behind it the pose of another.
+void check_lines(const std::filesystem::path& path, const RecordingOptions& options) {
+  if (TrajectoryFile(*options.poses).has_times()) return;
+  const BagContents contents = read_contents(path, true);
+  const std::int64_t scans = contents.find(plan_of(path, contents, options).points)->messages;
+  const std::int64_t lines = count_lines(*options.poses);
+  if (lines == scans) return;
+  throw ldm::InvalidInput(options.poses->string() + ": " + std::to_string(lines) +
+                          " lines: allowed: " + std::to_string(scans) + ", one for each scan of " +
+                          path.string() + ", or a trajectory with times (TUM)");
+}
+
+}  // namespace
+
+std::unique_ptr<ScanReader> open_bag_recording(const std::filesystem::path& path,
+                                               const RecordingOptions& options) {
+  if (options.poses) check_lines(path, options);
+  if (options.times) {
+    throw ldm::InvalidInput("--times " + options.times->string() +
+                            ": allowed: with a folder of scans; a bag has its own");
+  }
+  return std::make_unique<BagReader>(path, options);
+}
+
+}  // namespace datasets
