@@ -11,6 +11,7 @@
 #include "baselines/octomap.h"
 #include "datasets/files/text.h"
 #include "ldm/local_dynamic_map.h"
+#include "ldm/objects/object_ldm.h"
 #include "ldm/plain/local_dynamic_map.h"
 
 namespace experiments {
@@ -26,6 +27,16 @@ std::deque<Method>& table() {
        .parameters = {"map", "sensor_model", "survival", "prediction", "particles", "clusters",
                       "execution"},
        .create = create<ldm::LocalDynamicMap>},
+      // Velocities to centimetres a second move occupancy by parts of a voxel; what stands stays
+      // put.
+      {.name = "object_ldm",
+       .help = "the map of ldm, moved by objects that are followed by their returns",
+       .finds_clusters = true,
+       .parameters = {"map", "sensor_model", "survival", "prediction", "clusters.occupied_above"},
+       .overrides = {{"sensor_model.log_odds_max", "1.0"},
+                     {"prediction.sub_voxel", "trilinear"},
+                     {"prediction.min_speed_mps", "0.1"}},
+       .create = create<ldm::ObjectLdm>},
       {.name = "circular_buffer",
        .help = "hits and misses accumulated in a circular buffer ([11] of the paper)",
        .parameters = {"map", "sensor_model"},

@@ -52,8 +52,9 @@ TEST(Methods, DefaultsAreTheTableWithTheMethodsOverrides) {
 TEST(Methods, UnknownOneListsTheKnown) {
   const std::string message = tests::message_of([] { find_method("kalman"); });
   EXPECT_EQ(message,
-            "unknown method kalman: allowed: ldm, circular_buffer, circular_buffer_low_clamp, "
-            "circular_buffer_pf, octomap, current_scan, empty_map, plain_ldm");
+            "unknown method kalman: allowed: ldm, object_ldm, circular_buffer, "
+            "circular_buffer_low_clamp, circular_buffer_pf, octomap, current_scan, empty_map, "
+            "plain_ldm");
 }
 
 TEST(Methods, RefuseParametersTheyDoNotUse) {

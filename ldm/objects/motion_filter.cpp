@@ -1,0 +1,127 @@
+#include "ldm/objects/motion_filter.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace ldm {
+namespace {
+
+// By mode: at rest, little, more, abruptly.
+constexpr double kAcceleration[] = {0, 0.3, 2, 30};  // [m/s^2]
+constexpr double kStay[] = {0.95, 0.7, 0.9, 0.5};    // probability, from view to view
+constexpr double kTurnsTo[] = {0.3, 1, 1, 1};        // relative: what moves seldom stops dead
+constexpr double kRestDrift = 0.004;                 // of a position at rest, a view [m]
+constexpr double kRestSigma = 0.001;                 // of a velocity at rest [m/s]
+constexpr double kUnknownSpeed = 6;                  // standard deviation, per axis [m/s]
+constexpr double kLeastProbability = 1e-6;           // of a mode: none is given up for ever
+
+double transition(std::size_t from, std::size_t to) {
+  if (from == to) return kStay[from];
+  double others = 0;
+  for (std::size_t mode = 0; mode < std::size(kTurnsTo); ++mode) {
+    if (mode != from) others += kTurnsTo[mode];
+  }
+  return (1 - kStay[from]) * kTurnsTo[to] / others;
+}
+
+void rest(MotionState& state) {
+  const Eigen::Matrix2d position = state.covariance.topLeftCorner<2, 2>();
+  state.mean.tail<2>().setZero();
+  state.covariance.setZero();
+  state.covariance.topLeftCorner<2, 2>() =
+      position + kRestDrift * kRestDrift * Eigen::Matrix2d::Identity();
+  state.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(kRestSigma * kRestSigma);
+}
+
+/// With white acceleration noise of `a` [m/s^2] a step.
+void move(MotionState& state, double a, double dt) {
+  Eigen::Matrix4d f = Eigen::Matrix4d::Identity();
+  f(0, 2) = f(1, 3) = dt;
+  state.mean = f * state.mean;
+  state.covariance = (f * state.covariance * f.transpose()).eval();
+  const double q = a * a * dt * dt;
+  for (const int axis : {0, 1}) {
+    state.covariance(axis, axis) += q * dt * dt / 3;
+    state.covariance(axis, axis + 2) += q * dt / 2;
+    state.covariance(axis + 2, axis) += q * dt / 2;
+    state.covariance(axis + 2, axis + 2) += q;
+  }
+}
+
+/// Likelihood of the measurement.
+double correct(MotionState& state, const Eigen::Vector2d& position,
+               const Eigen::Matrix2d& covariance) {
+  const Eigen::Matrix2d expected = state.covariance.topLeftCorner<2, 2>() + covariance;
+  const Eigen::Matrix2d inverse = expected.inverse();
+  const Eigen::Vector2d innovation = position - state.mean.head<2>();
+  const Eigen::Matrix<double, 4, 2> gain = state.covariance.leftCols<2>() * inverse;
+  // Joseph's form: the covariance stays symmetric and positive.
+  Eigen::Matrix4d rest = Eigen::Matrix4d::Identity();
+  rest.leftCols<2>() -= gain;
+  state.mean += gain * innovation;
+  state.covariance =
+      (rest * state.covariance * rest.transpose() + gain * covariance * gain.transpose()).eval();
+  return std::exp(-0.5 * innovation.dot(inverse * innovation)) / std::sqrt(expected.determinant());
+}
+
+}  // namespace
+
+MotionFilter::MotionFilter(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
+  mixed_.mean << position, 0, 0;
+  mixed_.covariance.topLeftCorner<2, 2>() = covariance;
+  mixed_.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(kUnknownSpeed * kUnknownSpeed);
+  modes_.fill({mixed_, 1.0 / kModes});
+  modes_[0].state.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(kRestSigma *
+                                                                              kRestSigma);
+}
+
+MotionState MotionFilter::mix(const std::array<double, kModes>& weights) const {
+  MotionState mixed;
+  for (std::size_t m = 0; m < kModes; ++m) mixed.mean += weights[m] * modes_[m].state.mean;
+  for (std::size_t m = 0; m < kModes; ++m) {
+    const Eigen::Vector4d apart = modes_[m].state.mean - mixed.mean;
+    mixed.covariance += weights[m] * (modes_[m].state.covariance + apart * apart.transpose());
+  }
+  return mixed;
+}
+
+void MotionFilter::predict(double dt) {
+  std::array<Mode, kModes> next;
+  std::array<double, kModes> weights{};
+  for (std::size_t to = 0; to < kModes; ++to) {
+    for (std::size_t from = 0; from < kModes; ++from) {
+      weights[from] = transition(from, to) * modes_[from].probability;
+      next[to].probability += weights[from];
+    }
+    for (double& weight : weights) weight /= next[to].probability;
+    next[to].state = mix(weights);
+    if (to == 0) {
+      rest(next[to].state);
+    } else {
+      move(next[to].state, kAcceleration[to], dt);
+    }
+  }
+  modes_ = next;
+  for (std::size_t m = 0; m < kModes; ++m) weights[m] = modes_[m].probability;
+  mixed_ = mix(weights);
+}
+
+void MotionFilter::update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
+  constexpr double kImpossible = 1e-30;  // not zero, if all modes are surprised
+  double total = 0;
+  for (Mode& mode : modes_) {
+    mode.probability *= correct(mode.state, position, covariance) + kImpossible;
+    total += mode.probability;
+  }
+  double kept = 0;
+  for (Mode& mode : modes_) {
+    mode.probability = std::max(mode.probability / total, kLeastProbability);
+    kept += mode.probability;
+  }
+  std::array<double, kModes> weights{};
+  for (std::size_t m = 0; m < kModes; ++m) weights[m] = modes_[m].probability /= kept;
+  mixed_ = mix(weights);
+}
+
+}  // namespace ldm

@@ -1,0 +1,44 @@
+#pragma once
+/// Position and velocity of an object from measured positions, at rest or on the move (no paper
+/// section; interacting multiple models: Blom and Bar-Shalom, IEEE Trans. Autom. Control 33(8),
+/// 1988).
+#include <Eigen/Core>
+#include <array>
+
+namespace ldm {
+
+/// Horizontal position and velocity (x, y, vx, vy), world [m, m/s]. As in Pose, the layout is the
+/// same for every -march.
+struct MotionState {
+  Eigen::Matrix<double, 4, 1, Eigen::DontAlign> mean = Eigen::Vector4d::Zero();
+  Eigen::Matrix<double, 4, 4, Eigen::DontAlign> covariance = Eigen::Matrix4d::Zero();
+};
+
+/// Kalman filters of an object at rest and of one that accelerates little, more and abruptly, mixed
+/// by how well each foretells what is measured.
+class MotionFilter {
+ public:
+  /// Found at `position` with that covariance [m, m^2]; nothing is known of its velocity.
+  MotionFilter(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
+
+  /// dt [s] later.
+  void predict(double dt);
+  /// Measured at `position` with that covariance.
+  void update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
+
+  const MotionState& state() const { return mixed_; }
+  double probability_of_rest() const { return modes_[0].probability; }
+
+ private:
+  static constexpr std::size_t kModes = 4;
+  struct Mode {
+    MotionState state;
+    double probability = 0;
+  };
+  MotionState mix(const std::array<double, kModes>& weights) const;
+
+  std::array<Mode, kModes> modes_;
+  MotionState mixed_;
+};
+
+}  // namespace ldm

@@ -1,0 +1,117 @@
+#include "ldm/objects/object_ldm.h"
+
+#include <algorithm>
+#include <map>
+
+#include "ldm/log_odds.h"
+#include "ldm/read_occupancy.h"
+#include "ldm/scan_check.h"
+
+namespace ldm {
+namespace {
+
+constexpr double kAround = 1.5;  // beyond the map's border returns are followed so far [m]
+
+}  // namespace
+
+ObjectLdm::ObjectLdm(const Parameters& parameters)
+    : parameters_(checked(parameters)),
+      log_odds_(parameters.map.voxels, 0.0F),
+      flags_(parameters.map, parameters.sensor_model.no_returns, parameters.survival.enabled),
+      prediction_(parameters.map, parameters.sensor_model, parameters.prediction),
+      occupancy_(parameters.map, parameters.sensor_model, parameters.survival),
+      clustering_(parameters.map, parameters.clusters),
+      tracker_(parameters.map.resolution),
+      cluster_at_(log_odds_.index().count(), -1) {}
+
+void ObjectLdm::update(const Scan& scan, StageListener* listener) {
+  const auto stage = [listener](std::string_view name) {
+    if (listener != nullptr) listener->begin(name);
+  };
+  check_scan(scan, time_);
+  const double dt = scan.time - time_.value_or(scan.time);
+  time_ = scan.time;
+
+  stage("occupancy_prediction");  // Sec. 3.2
+  prediction_.predict(dt, clustering_, log_odds_);
+
+  stage("movement_update");  // Sec. 3.3
+  log_odds_.recenter(voxel_at(scan.T_world_uav.translation, parameters_.map.resolution),
+                     [this](std::size_t first, std::size_t n) { prediction_.forget(first, n); });
+  stage("measurement_flags");
+  flags_.mark(scan, log_odds_.index().window());
+  stage("occupancy_update");
+  occupancy_.apply(flags_.flags(), prediction_.kept(), log_odds_);
+
+  stage("tracking");
+  track(scan);
+  occupy_moving();
+
+  stage("clustering");  // Sec. 3.5
+  clustering_.find(log_odds_);
+  set_cluster_velocities();
+  prediction_.inherit(log_odds_.index(), clustering_);
+}
+
+void ObjectLdm::track(const Scan& scan) {
+  const double resolution = parameters_.map.resolution;
+  const VoxelBox& window = log_odds_.index().window();
+  const Eigen::Array3d low =
+      window.origin.cast<double>() * resolution - Eigen::Vector3d::Constant(kAround);
+  const Eigen::Array3d high = (window.origin + window.size).cast<double>() * resolution +
+                              Eigen::Vector3d::Constant(kAround);
+  points_.clear();
+  for (const Point& p : scan.points) {
+    const Eigen::Vector3d world = scan.T_world_sensor * p.cast<double>();
+    if ((world.array() >= low).all() && (world.array() < high).all()) points_.push_back(world);
+  }
+  tracker_.update(scan.time, scan.T_world_sensor.translation, points_);
+}
+
+/// One return of what is known to move is enough: the log-odds of a voxel that it crosses in a scan
+/// or two would have no time to rise.
+void ObjectLdm::occupy_moving() {
+  const auto hit = static_cast<float>(ldm::log_odds(parameters_.sensor_model.p_occ));
+  for (const TrackedObject& object : tracker_.objects()) {
+    if (object.seen() < *time_ || !object.dynamic()) continue;
+    for (const Eigen::Vector3d& p : object.points()) {
+      const VoxelIndex v = voxel_at(p, parameters_.map.resolution);
+      if (log_odds_.index().window().contains(v)) log_odds_.at(v) = std::max(log_odds_.at(v), hit);
+    }
+  }
+}
+
+/// A cluster moves as the object most of whose returns are in it; where that is hidden, its last
+/// ones, moved on.
+void ObjectLdm::set_cluster_velocities() {
+  const RingIndex& index = log_odds_.index();
+  std::vector<Cluster>& clusters = clustering_.clusters();
+  std::fill(cluster_at_.begin(), cluster_at_.end(), -1);
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    for_each_slot(index, clustering_.runs_of(c),
+                  [&](std::size_t slot) { cluster_at_[slot] = static_cast<std::int32_t>(c); });
+  }
+  std::vector<std::int64_t> most(clusters.size(), 0);
+  for (const TrackedObject& object : tracker_.objects()) {
+    std::map<std::int32_t, std::int64_t> returns;  // per cluster
+    for (Eigen::Vector3d p : object.points()) {
+      p.head<2>() += object.seen() < *time_ ? object.since_view() : Eigen::Vector2d::Zero();
+      const VoxelIndex v = voxel_at(p, parameters_.map.resolution);
+      if (index.window().contains(v)) ++returns[cluster_at_[index.slot(v)]];
+    }
+    for (const auto& [c, n] : returns) {
+      if (c < 0 || n <= most[static_cast<std::size_t>(c)]) continue;
+      most[static_cast<std::size_t>(c)] = n;
+      Cluster& cluster = clusters[static_cast<std::size_t>(c)];
+      cluster.velocity << object.velocity().cast<float>(), 0;
+      cluster.dynamic = object.dynamic();
+    }
+  }
+}
+
+void ObjectLdm::read(LocalMap& map) const {
+  read_occupancy(log_odds_, parameters_.map.resolution, map);
+  clustering_.read(map);
+}
+
+}  // namespace ldm

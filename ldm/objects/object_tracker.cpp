@@ -1,0 +1,177 @@
+#include "ldm/objects/object_tracker.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ldm {
+namespace {
+
+constexpr double kMemory = 4.0;    // unseen for longer, an object is forgotten [s]
+constexpr double kFragment = 0.5;  // what was in view no longer than this may be a part [s],
+constexpr std::int64_t kFragmentViews = 5;  // or was apart in less than so many views
+constexpr double kGate = 0.3;               // farthest from its expected place, and twice the reach
+constexpr double kLostGate = 2.0;           // of what nothing is known of yet [m]
+constexpr double kClaim = 0.25;             // of the columns of the smaller
+
+bool forgotten(const TrackedObject& object, double time) {
+  const double in_view = object.seen() - object.since();
+  return time - object.seen() > std::min(kMemory, kFragment + 4 * in_view);
+}
+
+Eigen::AlignedBox2d box_of(const View& view) {
+  Eigen::AlignedBox2d box;
+  view.for_each_column([&](const Column& c) { box.extend(c.point); });
+  return box;
+}
+
+std::size_t columns_of(const View& view) {
+  std::size_t n = 0;
+  view.for_each_column([&](const Column&) { ++n; });
+  return n;
+}
+
+}  // namespace
+
+void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
+                           std::span<const Eigen::Vector3d> points) {
+  for (TrackedObject& object : objects_) object.predict(time - time_.value_or(time));
+  time_ = time;
+  sensor_ = sensor.head<2>();
+  panorama_.fill(sensor_, points);
+  segments_.find(points);
+
+  found_.assign(objects_.size(), {});
+  unclaimed_.clear();
+  for (std::size_t s = 0; s < segments_.count(); ++s) {
+    Segment segment;
+    for (const std::size_t i : segments_.members(s)) segment.points.push_back(points[i]);
+    segment.view = view_of(sensor_, segment.points);
+    if (!segment.view.slices.empty()) take(std::move(segment));
+  }
+  std::vector<Segment> fresh;
+  for (Segment& segment : unclaimed_) {
+    if (const auto lost = lost_one(segment.view)) {
+      found_[*lost].points = std::move(segment.points);
+    } else {
+      fresh.push_back(std::move(segment));
+    }
+  }
+  for (std::size_t t = 0; t < objects_.size(); ++t) {
+    if (found_[t].points.empty()) continue;
+    View view = view_of_all(found_[t].points, found_[t].shared);
+    if (view.slices.empty()) continue;
+    if (!found_[t].shared) objects_[t].note_apart();
+    objects_[t].see(time, std::move(found_[t].points), std::move(view));
+  }
+  std::vector<TrackedObject> kept;
+  for (std::size_t t = 0; t < objects_.size(); ++t) {
+    const bool absorbed = found_[t].fragment && objects_[t].seen() < time;
+    if (!absorbed && !forgotten(objects_[t], time)) kept.push_back(std::move(objects_[t]));
+  }
+  objects_ = std::move(kept);
+  for (Segment& segment : fresh) {
+    View view = view_of_all(segment.points, false);
+    objects_.emplace_back(++last_id_, time, std::move(segment.points), std::move(view));
+  }
+}
+
+/// Give a segment to the objects that lead into it.
+void ObjectTracker::take(Segment segment) {
+  std::vector<std::size_t> owners = claims(segment);
+  drop_fragments(owners);
+  if (owners.empty()) {
+    unclaimed_.push_back(std::move(segment));
+  } else if (owners.size() == 1) {
+    std::vector<Eigen::Vector3d>& points = found_[owners[0]].points;
+    points.insert(points.end(), segment.points.begin(), segment.points.end());
+  } else {
+    share_out(segment, owners);
+  }
+}
+
+/// The objects that lead to where a part of the segment is, or in part to where it is.
+std::vector<std::size_t> ObjectTracker::claims(const Segment& segment) {
+  const Eigen::AlignedBox2d box = box_of(segment.view);
+  const std::size_t columns = columns_of(segment.view);
+  std::vector<std::size_t> result;
+  for (std::size_t t = 0; t < objects_.size(); ++t) {
+    const TrackedObject& object = objects_[t];
+    const double gate = std::min(reach_ + 2 * object.position_sigma(), kGate + 2 * reach_);
+    Eigen::AlignedBox2d expected = box_of(object.view());
+    expected.translate(object.since_view());
+    if (box.exteriorDistance(expected) > gate) continue;
+    std::size_t near = 0;
+    segment.view.for_each_column(
+        [&](const Column& c) { near += object.distance(c.point) < gate ? 1 : 0; });
+    const std::size_t fewer = std::min(columns, columns_of(object.view()));
+    if (near > 0 && static_cast<double>(near) >= kClaim * static_cast<double>(fewer)) {
+      result.push_back(t);
+    }
+  }
+  return result;
+}
+
+/// Of those in one segment that were hardly ever apart, or move as one, the one longest apart
+/// stays.
+void ObjectTracker::drop_fragments(std::vector<std::size_t>& claims) {
+  const std::vector<std::size_t> all = claims;
+  std::erase_if(claims, [&](std::size_t t) {
+    const TrackedObject& object = objects_[t];
+    const bool fragment = std::any_of(all.begin(), all.end(), [&](std::size_t o) {
+      const TrackedObject& other = objects_[o];
+      const bool older = other.apart() > object.apart() ||
+                         (other.apart() == object.apart() && other.id() < object.id());
+      return older && (object.apart() < kFragmentViews || move_alike(other, object));
+    });
+    found_[t].fragment |= fragment;
+    return fragment;
+  });
+}
+
+/// Each return to the object that leads nearest to it.
+void ObjectTracker::share_out(const Segment& segment, const std::vector<std::size_t>& claims) {
+  for (const std::size_t t : claims) found_[t].shared = true;
+  for (const Eigen::Vector3d& p : segment.points) {
+    std::size_t owner = claims[0];
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t t : claims) {
+      const double distance = objects_[t].distance(p.head<2>());
+      if (distance >= least) continue;
+      least = distance;
+      owner = t;
+    }
+    found_[owner].points.push_back(p);
+  }
+}
+
+/// The object that was not found at its expected place and may have come here: what is fast and was
+/// seen once lies far off.
+std::optional<std::size_t> ObjectTracker::lost_one(const View& view) const {
+  std::optional<std::size_t> nearest;
+  double least = kLostGate;
+  for (std::size_t t = 0; t < objects_.size(); ++t) {
+    const TrackedObject& object = objects_[t];
+    if (!found_[t].points.empty() || found_[t].fragment) continue;
+    const Eigen::Vector2d expected = object.view().centre() + object.since_view();
+    const double distance = (view.centre() - expected).norm();
+    if (distance >= least || distance >= reach_ + 3 * object.position_sigma()) continue;
+    least = distance;
+    nearest = t;
+  }
+  return nearest;
+}
+
+/// Where an object was cut off another in one segment, its ends are not known.
+View ObjectTracker::view_of_all(std::span<const Eigen::Vector3d> points, bool shared) const {
+  View view = view_of(sensor_, points);
+  panorama_.mark_edges(view);
+  if (shared) {
+    for (Slice& slice : view.slices) slice.edges = {false, false};
+  }
+  return view;
+}
+
+}  // namespace ldm

@@ -1,0 +1,64 @@
+#pragma once
+/// An object as it is followed from scan to scan (no paper section; docs/objects.md).
+#include <cstdint>
+#include <vector>
+
+#include "ldm/objects/motion_filter.h"
+#include "ldm/objects/registration.h"
+#include "ldm/objects/view.h"
+
+namespace ldm {
+
+/// Horizontal: what an object does upwards is not estimated. World frame.
+class TrackedObject {
+ public:
+  /// First seen at `time` [s] as `points` [m], which `view` shows.
+  TrackedObject(std::int64_t id, double time, std::vector<Eigen::Vector3d> points, View view);
+
+  std::int64_t id() const { return id_; }  ///< from 1, never used again
+  double since() const { return since_; }  ///< first seen [s]
+  double seen() const { return seen_; }    ///< last seen [s]
+  std::int64_t views() const { return views_; }
+  /// A point that moves with it: the centre of its first view [m].
+  Eigen::Vector2d position() const { return filter_.state().mean.head<2>(); }
+  Eigen::Vector2d velocity() const { return filter_.state().mean.tail<2>(); }  ///< [m/s]
+  Eigen::Matrix2d velocity_covariance() const {                                ///< [m^2/s^2]
+    return filter_.state().covariance.bottomRightCorner<2, 2>();
+  }
+  double position_sigma() const;  ///< along the axis where it is larger [m]
+  /// Its velocity is beyond chance: outside of its 99.9 % ellipse around zero, and 0.1 m/s or more.
+  bool dynamic() const;
+
+  /// Returns of its last view [m], and how far it has gone since.
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  const View& view() const { return view_; }
+  Eigen::Vector2d since_view() const { return position() - at_view_; }
+
+  /// Horizontal distance of p from the columns of its last view, moved to where it is now [m].
+  double distance(const Eigen::Vector2d& p) const;
+
+  void predict(double dt) { filter_.predict(dt); }
+  /// Seen again, at `time` [s].
+  void see(double time, std::vector<Eigen::Vector3d> points, View view);
+
+  /// Views in which nothing else was in its segment.
+  std::int64_t apart() const { return apart_; }
+  void note_apart() { ++apart_; }
+
+ private:
+  std::int64_t id_;
+  double since_, seen_;
+  std::int64_t views_ = 1, apart_ = 1;
+  std::vector<Eigen::Vector3d> points_;
+  View view_;
+  Eigen::Vector2d at_view_;  // position when it was taken
+  MotionFilter filter_;
+  Outline outline_;  // views are registered against
+  Eigen::Vector2d at_outline_;
+  int outline_age_ = 0;  // [views]
+};
+
+/// True if both move, and one as the other: they may be parts of one thing.
+bool move_alike(const TrackedObject& a, const TrackedObject& b);
+
+}  // namespace ldm

@@ -1,0 +1,99 @@
+#include "ldm/objects/motion_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace ldm {
+namespace {
+
+const Eigen::Matrix2d kMillimetres = 1e-5 * Eigen::Matrix2d::Identity();
+
+Eigen::Vector2d velocity(const MotionFilter& filter) {
+  return filter.state().mean.tail<2>();
+}
+
+TEST(MotionFilter, KnowsNothingOfTheVelocityAtFirst) {
+  const MotionFilter filter({1, 2}, kMillimetres);
+  EXPECT_EQ(filter.state().mean, Eigen::Vector4d(1, 2, 0, 0));
+  EXPECT_EQ(filter.state().covariance(0, 0), 1e-5);
+  EXPECT_EQ(filter.state().covariance(2, 2), 36);
+  EXPECT_EQ(filter.probability_of_rest(), 0.25);
+}
+
+/// Two positions 0.1 s and 0.5 m apart: 5 m/s, as good as both are known, and rest is excluded.
+TEST(MotionFilter, TwoPositionsGiveAVelocityByHand) {
+  MotionFilter filter({0, 0}, kMillimetres);
+  filter.predict(0.1);
+  filter.update({0.5, 0}, kMillimetres);
+  EXPECT_NEAR(velocity(filter).x(), 5, 0.1);
+  EXPECT_NEAR(velocity(filter).y(), 0, 0.01);
+  EXPECT_LT(filter.probability_of_rest(), 1e-3);
+  // (1e-5 + 1e-5) / 0.1^2 and, of abrupt manoeuvres, up to a quarter of (30 * 0.1)^2.
+  EXPECT_GT(filter.state().covariance(2, 2), 2e-3);
+  EXPECT_LT(filter.state().covariance(2, 2), 3);
+}
+
+TEST(MotionFilter, WhatStandsComesToRest) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.003);
+  MotionFilter filter({0, 0}, kMillimetres);
+  for (int i = 0; i < 50; ++i) {
+    filter.predict(0.1);
+    filter.update({noise(random), noise(random)}, kMillimetres);
+  }
+  EXPECT_GT(filter.probability_of_rest(), 0.8);
+  EXPECT_LT(velocity(filter).norm(), 0.01);
+}
+
+TEST(MotionFilter, FollowsAReversalWithinThreeViews) {
+  MotionFilter filter({0, 0}, kMillimetres);
+  double x = 0;
+  for (int i = 0; i < 30; ++i) {
+    filter.predict(0.1);
+    filter.update({x += 0.1, 0}, kMillimetres);
+  }
+  EXPECT_NEAR(velocity(filter).x(), 1, 0.01);
+  for (int i = 0; i < 3; ++i) {
+    filter.predict(0.1);
+    filter.update({x -= 0.1, 0}, kMillimetres);
+  }
+  EXPECT_NEAR(velocity(filter).x(), -1, 0.1);
+}
+
+TEST(MotionFilter, WithoutMeasurementItGoesOnAndKnowsLess) {
+  MotionFilter filter({0, 0}, kMillimetres);
+  for (int i = 1; i <= 20; ++i) {
+    filter.predict(0.1);
+    filter.update({0.1 * i, 0}, kMillimetres);
+  }
+  const double before = filter.state().covariance(0, 0);
+  for (int i = 0; i < 5; ++i) filter.predict(0.1);
+  EXPECT_NEAR(filter.state().mean.x(), 2.5, 0.1);
+  EXPECT_GT(filter.state().covariance(0, 0), 10 * before);
+}
+
+/// Of what goes straight the 95 % ellipse holds the true velocity at least so often.
+TEST(MotionFilter, CovarianceHoldsTheTruth) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> noise(0, 0.003);
+  int held = 0, all = 0;
+  for (int flight = 0; flight < 40; ++flight) {
+    const Eigen::Vector2d v(0.3 + 0.05 * flight, 1 - 0.05 * flight);
+    MotionFilter filter({0, 0}, kMillimetres);
+    for (int i = 1; i <= 30; ++i) {
+      filter.predict(0.1);
+      filter.update(0.1 * i * v + Eigen::Vector2d(noise(random), noise(random)), kMillimetres);
+      if (i < 10) continue;
+      const Eigen::Vector2d error = velocity(filter) - v;
+      const Eigen::Matrix2d covariance = filter.state().covariance.bottomRightCorner<2, 2>();
+      held += error.dot(covariance.inverse() * error) < 5.99 ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GT(held, 0.93 * all);
+}
+
+}  // namespace
+}  // namespace ldm

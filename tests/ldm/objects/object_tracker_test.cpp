@@ -1,0 +1,150 @@
+#include "ldm/objects/object_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <functional>
+
+#include "tests/ldm/objects/lidar.h"
+
+namespace ldm {
+namespace {
+
+constexpr double kReach = 0.15;
+const Eigen::Vector3d kSensor(0, 0, 1);
+
+Box person(double x, double y) {
+  return {{x, y, 1}, {0.3, 0.4, 1.6}};
+}
+
+/// Objects that are followed at 10 Hz.
+class ObjectTrackerTest : public testing::Test {
+ protected:
+  void see(const std::vector<Box>& boxes) {
+    tracker_.update(0.1 * frame_++, kSensor, lidar_.returns(kSensor, boxes));
+  }
+  /// The object most of whose returns of the last scan are in the box; null if there is none.
+  const TrackedObject* at(const Box& box) const {
+    const TrackedObject* best = nullptr;
+    std::ptrdiff_t most = 0;
+    for (const TrackedObject& object : tracker_.objects()) {
+      if (object.seen() < 0.1 * (frame_ - 1) - 1e-9) continue;
+      const auto inside = [&](const Eigen::Vector3d& p) {
+        return ((p - box.centre).cwiseAbs().array() < box.size.array() / 2 + 0.1).all();
+      };
+      const auto n = std::count_if(object.points().begin(), object.points().end(), inside);
+      if (n <= most) continue;
+      most = n;
+      best = &object;
+    }
+    return best;
+  }
+  std::int64_t id(const Box& box) const {
+    const TrackedObject* object = at(box);
+    return object == nullptr ? 0 : object->id();
+  }
+
+  NoisyLidar lidar_;
+  ObjectTracker tracker_{kReach};
+  int frame_ = 0;
+};
+
+TEST_F(ObjectTrackerTest, WhatStandsIsStatic) {
+  for (int i = 0; i < 30; ++i) see({person(2, 1)});
+  ASSERT_EQ(tracker_.objects().size(), 1u);
+  EXPECT_LT(tracker_.objects()[0].velocity().norm(), 0.02);
+  EXPECT_FALSE(tracker_.objects()[0].dynamic());
+  EXPECT_EQ(tracker_.objects()[0].views(), 30);
+}
+
+TEST_F(ObjectTrackerTest, WalkersAreMeasuredToCentimetresASecond) {
+  double sum = 0;
+  for (int i = 0; i < 40; ++i) {
+    see({person(2.5, -2 + 0.1 * i)});
+    if (i < 10) continue;
+    EXPECT_TRUE(tracker_.objects()[0].dynamic());
+    sum += (tracker_.objects()[0].velocity() - Eigen::Vector2d(0, 1)).norm() / 30;
+  }
+  EXPECT_EQ(tracker_.objects().size(), 1u);
+  EXPECT_LT(sum, 0.05);
+}
+
+/// 15 m/s at 10 Hz: ten voxels of 0.15 m a scan.
+TEST_F(ObjectTrackerTest, NothingIsTooFast) {
+  tracker_ = ObjectTracker(0.3);  // as far off its columns are 0.25 m apart
+  const auto car = [](int i) { return Box{{-12 + 1.5 * i, 4, 1}, {4, 1.6, 1.4}}; };
+  for (int i = 0; i < 16; ++i) {
+    see({car(i)});
+    if (i < 3) continue;
+    const TrackedObject* object = at(car(i));
+    ASSERT_NE(object, nullptr);
+    EXPECT_EQ(object->id(), 1);
+    EXPECT_TRUE(object->dynamic());
+    EXPECT_NEAR(object->velocity().x(), 15, 1);
+    EXPECT_NEAR(object->velocity().y(), 0, 1);
+  }
+}
+
+TEST_F(ObjectTrackerTest, KeepsItsNumberBehindAnother) {
+  const Box pillar{{1.5, 0, 1}, {0.4, 0.6, 2}};
+  const auto walker = [](int i) { return person(3, -2 + 0.1 * i); };
+  int hidden = 0;
+  std::int64_t before = 0;
+  for (int i = 0; i < 45; ++i) {
+    see({pillar, walker(i)});
+    if (i == 5) before = id(walker(i));
+    hidden += id(walker(i)) == 0 ? 1 : 0;
+  }
+  EXPECT_GE(hidden, 3);
+  EXPECT_NE(before, 0);
+  EXPECT_EQ(id(walker(44)), before);
+}
+
+TEST_F(ObjectTrackerTest, TwoThatMeetAndPartKeepTheirNumbers) {
+  // Side by side they are one segment.
+  const auto first = [](int i) { return person(2.5, -1.5 + 0.1 * i); };
+  const auto second = [](int i) { return person(2.9, 1.5 - 0.1 * i); };
+  std::int64_t one = 0, other = 0;
+  for (int i = 0; i < 31; ++i) {
+    see({first(i), second(i)});
+    if (i != 5) continue;
+    one = id(first(i));
+    other = id(second(i));
+  }
+  EXPECT_NE(one, other);
+  EXPECT_EQ(id(first(30)), one);
+  EXPECT_EQ(id(second(30)), other);
+}
+
+TEST_F(ObjectTrackerTest, WhatLeavesIsForgottenAndItsNumberNotUsedAgain) {
+  for (int i = 0; i < 20; ++i) see({person(2, 0)});
+  for (int i = 0; i < 39; ++i) see({});
+  EXPECT_EQ(tracker_.objects().size(), 1u);
+  for (int i = 0; i < 3; ++i) see({});
+  EXPECT_TRUE(tracker_.objects().empty());
+  see({person(2, 0)});
+  ASSERT_EQ(tracker_.objects().size(), 1u);
+  EXPECT_EQ(tracker_.objects()[0].id(), 2);
+}
+
+/// Over walks of several directions: neither boastful nor shy.
+TEST_F(ObjectTrackerTest, EllipseOfTheVelocityHoldsTheTruth) {
+  int held = 0, all = 0;
+  for (int walk = 0; walk < 6; ++walk) {
+    tracker_ = ObjectTracker(kReach);
+    const Eigen::Vector2d v(0.2 * walk - 0.5, 1 - 0.15 * walk);
+    for (int i = 0; i < 35; ++i) {
+      const Eigen::Vector2d place = Eigen::Vector2d(2.5, -1) + 0.1 * i * v;
+      see({person(place.x(), place.y())});
+      if (i < 10) continue;
+      const TrackedObject& object = tracker_.objects().at(0);
+      const Eigen::Vector2d error = object.velocity() - v;
+      held += error.dot(object.velocity_covariance().inverse() * error) < 5.99 ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GE(held, 0.9 * all);
+}
+
+}  // namespace
+}  // namespace ldm

@@ -1,0 +1,39 @@
+"""The yardstick is right where that is known: a cloud that goes straight, and two that stay apart."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+
+from constant_velocity import Tracker, clusters, judged
+
+
+def cloud(x: float, y: float) -> np.ndarray:
+    """125 points, 0.2 m apart."""
+    steps = np.arange(5) * 0.2 - 0.4
+    grid = np.stack(np.meshgrid(steps, steps, steps + 1), axis=-1).reshape(-1, 3)
+    return grid + [x, y, 0]
+
+
+def test_clusters_are_what_touches() -> None:
+    assert clusters(np.empty((0, 3))) == []
+    found = clusters(np.vstack([cloud(0, 0), cloud(3, 0), [[10, 10, 1]]]))
+    assert sorted(len(group) for group in found) == [125, 125]  # the single point is too few
+
+
+def test_velocity_of_what_goes_straight() -> None:
+    tracker = Tracker()
+    for k in range(20):
+        tracker.update(k / 10, np.vstack([cloud(-5 + 0.8 * k, 2), cloud(0, -3)]))
+    assert len(tracker.tracks) == 2
+    velocities = sorted(float(track.mean[2]) for track in tracker.tracks)
+    np.testing.assert_allclose(velocities, [0, 8], atol=0.05)
+
+
+def test_frames_are_good_if_the_error_is_small() -> None:
+    drive = [(k / 10, cloud(-5 + 0.8 * k, 2)) for k in range(12)]
+    truth = pd.DataFrame([{"frame": k, "id": 1, "x": -5 + 0.8 * k, "y": 2, "vx": v, "vy": 0, "sx": 1, "sy": 1}
+                          for k in range(12) for v in [8 if k < 8 else 20]])
+    rows = judged(drive, truth)
+    assert list(rows.frame) == list(range(3, 12))
+    assert list(rows.good) == [True] * 5 + [False] * 4
