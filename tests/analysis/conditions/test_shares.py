@@ -46,6 +46,12 @@ def test_the_ranking_names_what_decides(conditions):
     assert (found["high"][1:] < 0.2).all()
 
 
+def test_of_a_few_conditions_nothing_is_said(conditions):
+    assert ranking(pd.Series(dtype=float), conditions)["index"].isna().all()
+    few = conditions.head(9)
+    assert ranking(pd.Series(1.0, index=few.index), few)["low"].isna().all()
+
+
 def test_the_map_shows_every_claim_and_says_what_decides_it(tmp_path, conditions, capsys):
     stage = tmp_path / "conditions" / "stage1"
     stage.mkdir(parents=True)
