@@ -8,6 +8,7 @@ namespace ldm {
 namespace {
 
 constexpr std::size_t kBins = 2048;
+constexpr double kBinsPerQuarter = 512;          // a quarter of kBins
 constexpr double kNearer = 0.1;                  // [m]: what is nearer by this hides
 constexpr double kBeside[] = {1, 1.7};           // columns, of 6 mrad or more: where that is sought
 constexpr double kEnd = 0.03, kEndShare = 0.05;  // [m], of the width: so near to the object's end
@@ -20,7 +21,7 @@ std::size_t Panorama::bin(const Eigen::Vector2d& direction) {
   if (sum == 0) return 0;
   const double t = direction.y() / sum;
   const double angle = direction.x() < 0 ? 2 - t : (t < 0 ? t + 4 : t);  // 0 to 4
-  return static_cast<std::size_t>(angle * (kBins / 4)) % kBins;
+  return static_cast<std::size_t>(angle * kBinsPerQuarter) % kBins;
 }
 
 void Panorama::fill(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector3d> points) {

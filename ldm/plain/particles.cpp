@@ -106,6 +106,7 @@ std::vector<Eigen::Vector3d> Particles::cluster_velocities(const VoxelBox& windo
     if (c != kNoCluster) sums[static_cast<std::size_t>(c)].add(particle);
   }
   std::vector<Eigen::Vector3d> velocities;
+  velocities.reserve(clusters);
   for (const VelocitySum& sum : sums) velocities.push_back(sum.mean());  // Eq. (16)
   return velocities;
 }

@@ -23,6 +23,7 @@ ALLOWED = [
         r"\[(?:9|11|9,11)\]",  # its references
         r"[Cc]ase[~ ][12]",
         r"TX2",
+        r"F1\b",  # the score
     )
 ]
 # From three on, a number in words is a result, or could be one.

@@ -34,7 +34,7 @@ ScanTimeline::ScanTimeline(const TimelineFiles& files, const InputParameters& pa
 
 ScanTimeline::Lines ScanTimeline::lines() const {
   if (!files_.times) return {*files_.trajectory, count_lines(*files_.trajectory)};
-  const Lines times{*files_.times, count_lines(*files_.times)};
+  Lines times{*files_.times, count_lines(*files_.times)};
   if (!poses_) return times;
   const std::int64_t poses = count_lines(*files_.trajectory);
   if (poses == times.count) return times;

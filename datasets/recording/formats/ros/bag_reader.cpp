@@ -43,7 +43,7 @@ class BagTrajectory {
   std::string take(const BagTopic& topic, std::string_view bytes) {
     const bool tf = plan_.poses == BagPoses::kTf && is_tf(topic.type);
     if (!tf && (plan_.poses != BagPoses::kTopic || topic.name != plan_.poses_topic)) return {};
-    const std::string failure = read_transforms(topic, bytes, transforms_);
+    std::string failure = read_transforms(topic, bytes, transforms_);
     for (const StampedTransform& transform : transforms_) {
       if (tf) {
         tree_.add(transform, topic.name.ends_with("tf_static"));
