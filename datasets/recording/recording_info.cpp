@@ -19,7 +19,7 @@ std::string formatted(const char* format, Values... values) {
 
 /// `12 messages, 10.0 Hz`; the rate where there are two at least.
 std::string count_text(const char* what, std::int64_t count, double first, double last) {
-  const std::string text = std::to_string(count) + " " + what;
+  std::string text = std::to_string(count) + " " + what;
   if (count < 2 || !(last > first)) return text;
   return text + formatted(", %.1f Hz", static_cast<double>(count - 1) / (last - first));
 }
