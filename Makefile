@@ -282,7 +282,7 @@ reproduce: program ## the paper's studies: Table 1 and Figures 5 to 9, 11 to 16,
 smoke: SEEDS = 2
 smoke: FRAMES = 100
 smoke: FRESH = 1
-smoke: reproduce ## the path of `make reproduce` in two minutes: 2 seeds of 100 frames
+smoke: reproduce ## the path of `make reproduce` in a minute: 2 seeds of 100 frames
 
 .PHONY: study
 study: trials ## run the missing trials of STUDY=name, failed ones again; then its tables and figures
