@@ -6,6 +6,7 @@ The time of a trial is that of `make studies`: measured where the study has run,
 import argparse
 import sys
 
+import interruption
 import pace
 import program
 import records
@@ -35,4 +36,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(interruption.run(main))

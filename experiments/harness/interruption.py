@@ -1,6 +1,8 @@
 """Ctrl-C, a polite request to end, or a terminal that closes: one exception, once."""
 
 import signal
+import sys
+from typing import Callable
 
 EXIT_CODE = 130  # as of a shell
 
@@ -20,3 +22,12 @@ def raise_when_interrupted() -> None:
 
     for number in signals:
         signal.signal(number, interrupt)
+
+
+def run(main: Callable[[], int]) -> int:
+    """Exit code of a `main` that only prints: its own, or at Ctrl-C 130 with one line on stderr."""
+    try:
+        return main()
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return EXIT_CODE

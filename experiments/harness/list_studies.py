@@ -8,6 +8,7 @@ import argparse
 import sys
 from pathlib import Path
 
+import interruption
 import pace
 import program
 from study_folder import measured_cpu_s, read_manifest
@@ -48,4 +49,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(interruption.run(main))

@@ -1,8 +1,12 @@
 """The estimate that `make reproduce-full` prints before it starts."""
 
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -25,3 +29,19 @@ def test_counts_what_is_missing_at_the_measured_pace(tmp_path):
     assert "8 trials to run  20 s\n" in found and "together about 20 s on 2 cores" in found
     serial = estimate(tmp_path, program, "--seeds", "10", "--serial", "calibration")
     assert "together about 40 s" in serial
+
+
+@pytest.mark.parametrize("script", [["list_studies.py"], ["estimate.py", "calibration", "--seeds", "1"]])
+def test_ends_at_ctrl_c_with_one_line(tmp_path, script):
+    started = tmp_path / "started"
+    slow = tmp_path / "slow.sh"
+    slow.write_text(f"#!/bin/sh\ntouch '{started}'\nexec sleep 20\n")
+    slow.chmod(0o755)
+    command = [sys.executable, ROOT / "experiments" / "harness" / script[0], *script[1:], "--program", slow,
+               "--results", tmp_path, "--jobs", "2"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        while not started.exists():
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        error = process.stderr.read()
+    assert (process.returncode, error) == (130, "interrupted\n")
