@@ -9,7 +9,6 @@ Example: /usr/bin/python3 -m analysis.conditions.claims_map --stage stage1
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 from typing import Sequence
@@ -19,6 +18,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 
 from analysis.conditions.claims import Claim, claims, pf_readings
+from analysis.conditions.command_line import argument_parser
 from analysis.conditions.rank import read_conditions
 from analysis.conditions.shares import PARTS, parts_of, ranking, share
 from analysis.data.command_line import run
@@ -43,10 +43,7 @@ READINGS = dict(zip(pf_readings(), ("PF Eq. 17", "PF free")))
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Draw the map and write its numbers."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--results", type=Path, default=Path("results"), metavar="DIR")
+    parser = argument_parser(__doc__)
     parser.add_argument("--stage", default="stage1", help="a design that fills the space")
     args = parser.parse_args(argv)
     root = args.results / "conditions"

@@ -8,9 +8,7 @@ Example: /usr/bin/python3 -m analysis.conditions.pair_map --stage stage1
 
 from __future__ import annotations
 
-import argparse
 import sys
-from pathlib import Path
 from typing import Sequence
 
 import numpy as np
@@ -19,6 +17,7 @@ from scipy import stats
 
 from analysis.conditions.claims import Claim, claims
 from analysis.conditions.claims_map import label, read_leans
+from analysis.conditions.command_line import argument_parser
 from analysis.conditions.rank import read_conditions
 from analysis.conditions.shares import share
 from analysis.data.command_line import run
@@ -37,10 +36,7 @@ conditions if it holds in this share of them."""
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Draw the maps and write their numbers."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--results", type=Path, default=Path("results"), metavar="DIR")
+    parser = argument_parser(__doc__)
     parser.add_argument("--stage", default="stage1", help="a design that fills the space")
     args = parser.parse_args(argv)
     root = args.results / "conditions"

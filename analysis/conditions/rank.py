@@ -10,13 +10,13 @@ Example: /usr/bin/python3 -m analysis.conditions.rank stage1 --results results
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 from typing import Sequence
 
 import pandas as pd
 
+from analysis.conditions.command_line import argument_parser
 from analysis.conditions.measures import measures
 from analysis.conditions.verdicts import Outcome, distance, of_reading, outcomes
 from analysis.data.command_line import run
@@ -28,11 +28,8 @@ SHOWN = 16
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Measure, judge and rank all conditions of a stage."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argument_parser(__doc__)
     parser.add_argument("stage", help="folder in DIR/conditions")
-    parser.add_argument("--results", type=Path, default=Path("results"), metavar="DIR")
     parser.add_argument("--kept", type=Path, metavar="FOLDER", help="of an earlier search")
     args = parser.parse_args(argv)
     folder = args.results / "conditions" / args.stage

@@ -9,15 +9,14 @@ Example: /usr/bin/python3 -m analysis.conditions.verdict_table stage3 --results 
 
 from __future__ import annotations
 
-import argparse
 import math
 import sys
-from pathlib import Path
 from typing import Sequence
 
 import pandas as pd
 
 from analysis.conditions.claims_map import label
+from analysis.conditions.command_line import argument_parser
 from analysis.conditions.verdicts import HOLDS, Outcome, distance, outcomes
 from analysis.data.command_line import run
 from analysis.data.errors import InputError
@@ -28,12 +27,9 @@ from analysis.tables.text_table import NOTHING, aligned, interval, number
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Write and print the table of one condition."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argument_parser(__doc__)
     parser.add_argument("stage", help="folder in DIR/conditions")
     parser.add_argument("--condition", metavar="NAME", help="instead of the nearest to the paper")
-    parser.add_argument("--results", type=Path, default=Path("results"), metavar="DIR")
     args = parser.parse_args(argv)
     folder = args.results / "conditions" / args.stage
     try:

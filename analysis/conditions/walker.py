@@ -8,11 +8,11 @@ Example: /usr/bin/python3 -m analysis.conditions.walker --records shipped=a.json
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 from typing import Sequence
 
+from analysis.conditions.command_line import argument_parser
 from analysis.data.command_line import run
 from analysis.data.errors import InputError
 from analysis.data.series import ObjectSeries, read_series
@@ -22,10 +22,7 @@ from analysis.figures.figure_style import BLACK, BLUE, PAGE_WIDTH, legend_above,
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Draw the first walker of each record, one panel each."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--results", type=Path, default=Path("results"), metavar="DIR")
+    parser = argument_parser(__doc__)
     parser.add_argument("--records", nargs="+", required=True, metavar="NAME=FILE")
     args = parser.parse_args(argv)
     found = dict(_named(text) for text in args.records)
