@@ -340,7 +340,7 @@ timing: program ## computation time of each stage, trials one after the other
 flights := $(RESULTS)/flights
 flown_world := moving10_10
 flown_seed := 1
-arms := blind current_scan octomap circular_buffer circular_buffer_pf ldm oracle oracle_future
+arms := blind current_scan octomap circular_buffer circular_buffer_pf ldm object_ldm oracle oracle_future
 define draw_flights
 rm -rf '$(flights)' && mkdir -p '$(flights)' && \
 printf '%s\n' $(arms) | $(each) $(program_here) fly {} $(flown_world) --seed $(flown_seed) \

@@ -93,7 +93,7 @@ def flown_figure(flights: list[tuple[pd.DataFrame, pd.DataFrame, dict]]) -> Figu
 
 
 def _order(name: str) -> tuple:
-    first = ["blind", "current_scan", "octomap", "circular_buffer", "circular_buffer_pf", "ldm"]
+    first = ["blind", "current_scan", "octomap", "circular_buffer", "circular_buffer_pf", "ldm", "object_ldm"]
     place = first.index(name) if name in first else len(first)
     return (name in CONTROLS[1:], place, name)
 
