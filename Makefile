@@ -312,7 +312,7 @@ rank = $(PYTHON) -m analysis.conditions.rank
 conditions: program ## under which conditions the paper's claims hold; STAGE=name runs one stage: docs/conditions.md
 	@for stage in $(if $(STAGE),'$(STAGE)',$(conditions_stages)); do \
 	  $(PYTHON) experiments/conditions/search.py "$$stage" --program '$(LDM)' --results '$(RESULTS)' \
-	    --jobs '$(JOBS)' || [ $$? = 1 ] || exit 2; \
+	    --jobs '$(JOBS)' $(slurm) || [ $$? = 1 ] || exit 2; \
 	  $(rank) "$$stage" --results '$(RESULTS)' || exit; \
 	done
 	@$(draw_conditions)

@@ -12,6 +12,7 @@ import pandas as pd
 
 from analysis.data.errors import InputError
 from analysis.data.mixtures import refuse_mixtures
+from analysis.data.published import PAPER_NAMES
 
 SCHEMA = 2
 LISTED_NOTES = 20
@@ -79,7 +80,7 @@ class Study:
     @property
     def methods(self) -> list[str]:
         """Names, those of the paper first, then sorted."""
-        first = ["ldm", "circular_buffer", "circular_buffer_pf"]
+        first = [*PAPER_NAMES, "circular_buffer_pf"]
         found = set(self.trials["method"])
         return [m for m in first if m in found] + sorted(found - set(first))
 

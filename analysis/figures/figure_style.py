@@ -29,11 +29,13 @@ _METHOD_STYLES = {
     "ldm": (BLACK, "o"),
     "circular_buffer": (VERMILLION, "s"),
     "circular_buffer_pf": (ORANGE, "D"),
+    "circular_buffer_pf_eq17": (SKY_BLUE, "X"),
+    "circular_buffer_pf_free": (GREY, "<"),
     "circular_buffer_low_clamp": (PURPLE, "^"),
     "octomap": (BLUE, "v"),
     "current_scan": (GREEN, "P"),
 }
-_OTHER_STYLES = [(SKY_BLUE, "X"), (GREY, "<"), ("#882255", ">"), ("#44AA99", "*"), ("#999933", "p")]
+_OTHER_STYLES = [("#882255", ">"), ("#44AA99", "*"), ("#999933", "p")]
 
 matplotlib.rcParams.update(
     {

@@ -38,8 +38,9 @@ from analysis.figures.figure_style import (
 )
 from analysis.figures.velocity_distribution import distribution_caption, distribution_figure
 
-PAIR = ("ldm", "circular_buffer_pf")
-NAMES = {"ldm": "LDM", "circular_buffer_pf": "[11] with PF"}
+PAIR = ("ldm", "circular_buffer_pf_eq17")
+"""Of the two readings of "[11] with PF" the one that comes nearer to the paper (docs/conditions.md)."""
+NAMES = {"ldm": "LDM", "circular_buffer_pf_eq17": "[11] with PF"}
 STATIC_SCENARIO, DYNAMIC_SCENARIO = "scenario2", "scenario1"
 HEIGHT = 2.2  # [in]
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 
 import pandas as pd
 
-from analysis.data.published import PAPER_NAMES, published
+from analysis.data.published import paper_name, published
 from analysis.data.records import Study
 from analysis.data.scores import Score
 from analysis.data.statistics import PairedComparison, mean_interval
 from analysis.report import latex
 from analysis.report.comparisons import NO, OPEN, PARTLY, YES, compare, verdict_on_order
 from analysis.tables.beside import scenario_name
-from analysis.tables.orderings import Claim, published_claim
+from analysis.tables.orderings import Claim, published_claims
 
 MOST_PCT = 95
 """What we take "almost all times" and "the direction is right" to mean [% of the frames]."""
@@ -41,7 +41,7 @@ def pair_lines(
     study: Study, scenario: str, score: Score, pair: tuple[str, str]
 ) -> tuple[str, ...]:
     return tuple(
-        f"{PAPER_NAMES[method]} "
+        f"{paper_name(method)} "
         + latex.interval(mean_interval(study.per_seed(scenario, method, score.name)),
                          score.decimals)
         for method in pair
@@ -53,17 +53,27 @@ def difference_line(found: PairedComparison, decimals: int) -> str:
     return "difference " + latex.interval(found.difference, decimals, sign=True)
 
 
-def order_row(
+def order_rows(
     study: Study | None, scenario: str, score: Score, values: dict[str, float], place: str,
     where: str,
+) -> list[Row]:  # fmt: skip
+    """The order of two published values and the size of their difference, for each reading of the baseline."""
+    return [
+        _order_row(study, claim, score, values, place, where)
+        for claim in published_claims(scenario, score.name, values)
+    ]
+
+
+def _order_row(
+    study: Study | None, claim: Claim, score: Score, values: dict[str, float], place: str,
+    where: str,
 ) -> Row:  # fmt: skip
-    """The order of two published values, and the size of their difference."""
-    claim = published_claim(scenario, score.name, values)
+    scenario = claim.scenario
     pair = (claim.method, claim.baseline)
-    names = " than ".join(PAPER_NAMES[method] for method in pair).replace(" than", " is %s than")
+    names = " than ".join(paper_name(method) for method in pair).replace(" than", " is %s than")
     statement = f"{scenario_name(scenario)}, {score.label}: " + names % claim.word
     unit = latex.latex_text(f" {score.unit}" if score.unit else "")
-    shown = " and ".join(latex.value(v, score.decimals) for v in values.values()) + unit
+    shown = " and ".join(latex.value(v, score.decimals) for v in (values[m] for m in pair)) + unit
     if study is None:
         return open_row(statement, place, shown, latex.missing("table1"), where)
     found = compare(study, scenario, score.name, *pair)

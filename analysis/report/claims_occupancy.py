@@ -8,7 +8,7 @@ from analysis.data.scores import SCORES
 from analysis.data.statistics import Interval
 from analysis.figures.computation_time import METHOD, TOTAL, serial_records, time_table
 from analysis.report import latex
-from analysis.report.claim_rows import Row, open_row, order_row
+from analysis.report.claim_rows import Row, open_row, order_rows
 from analysis.report.comparisons import NO, PARTLY, YES, compare
 from analysis.report.evidence import Evidence
 from analysis.tables.accuracy_table import PUBLISHED
@@ -18,10 +18,11 @@ from analysis.tables.beside import scenario_name
 def table1_rows(evidence: Evidence) -> list[Row]:
     study = evidence.study("table1")
     return [
-        order_row(study, scenario, score, values[score.name], values["place"],
-                   r"Table~\ref{tab:accuracy}")
+        row
         for scenario, values in published()["table1"].items()
         for score in PUBLISHED
+        for row in order_rows(study, scenario, score, values[score.name], values["place"],
+                              r"Table~\ref{tab:accuracy}")
     ]  # fmt: skip
 
 

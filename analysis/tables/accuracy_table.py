@@ -8,7 +8,7 @@ from analysis.data.scores import SCORES, Score
 from analysis.data.statistics import Interval
 from analysis.tables.beside import all_methods, scenario_name, side_by_side
 from analysis.tables.mean_table import Means
-from analysis.tables.orderings import Ordering, judge, orderings_text, published_claim
+from analysis.tables.orderings import Ordering, judge, orderings_text, published_claims
 from analysis.tables.text_table import interval, latex_tabular, latex_text, number
 
 PAIR = ("ldm", "circular_buffer")
@@ -31,9 +31,10 @@ def published_cell(scenario: str, score: str, method: str) -> float | None:
 def judge_orderings(study: Study) -> list[Ordering]:
     """The nine orderings of Table 1, Proposed against [11]."""
     claims = [
-        published_claim(scenario, score.name, values[score.name])
+        claim
         for scenario, values in published()["table1"].items()
         for score in PUBLISHED
+        for claim in published_claims(scenario, score.name, values[score.name])
     ]
     return judge(study, claims)
 

@@ -22,22 +22,31 @@ def scenario_name(scenario: str) -> str:
 
 def side_by_side(
     means: Means,
-    pair: tuple[str, str],
+    columns: Sequence[str],
     lines: Iterable[tuple[str, Score]],
     published_cell: PublishedCell,
 ) -> str:
-    """One line for each (scenario, score): the paper's value and ours, for both methods."""
+    """One line for each (scenario, score): the paper's value and ours, for each method of `columns`; the
+    paper's once where neighbours are readings of one name."""
     head = ["", ""]
-    for method in pair:
-        head += [f"{PAPER_NAMES[method]}: paper", f"ours ({method})"]
+    for method, begins in zip(columns, _begins(columns)):
+        head += [f"{PAPER_NAMES[method]}: paper"] if begins else []
+        head.append(f"ours ({method})")
     rows = []
     for scenario, score in lines:
         row = [scenario_name(scenario), score.axis_label]
-        for method in pair:
-            row.append(number(published_cell(scenario, score.name, method), score.decimals))
+        for method, begins in zip(columns, _begins(columns)):
+            if begins:
+                row.append(number(published_cell(scenario, score.name, method), score.decimals))
             row.append(interval(means.find(scenario, method, score.name), score.decimals))
         rows.append(row)
     return aligned(head, separate(rows), left=2)
+
+
+def _begins(columns: Sequence[str]) -> list[bool]:
+    """Whether a method is the first of its name in the paper."""
+    names = [PAPER_NAMES[method] for method in columns]
+    return [name not in names[:k] for k, name in enumerate(names)]
 
 
 def all_methods(

@@ -58,10 +58,10 @@ class Ordering:
         return REPRODUCED if same else OPPOSITE
 
 
-def published_claim(scenario: str, score: str, values: dict[str, float]) -> Claim:
-    """The claim in two published values, {method: value, baseline: value}."""
-    (method, value), (baseline, other) = values.items()
-    return Claim(scenario, score, method, baseline, value - other)
+def published_claims(scenario: str, score: str, values: dict[str, float]) -> list[Claim]:
+    """The claims in published values, {method: value, baseline: value, another baseline: ...}."""
+    (method, value), *others = values.items()
+    return [Claim(scenario, score, method, baseline, value - other) for baseline, other in others]
 
 
 def judge(study: Study, claims: list[Claim]) -> list[Ordering]:
@@ -79,7 +79,9 @@ def judge(study: Study, claims: list[Claim]) -> list[Ordering]:
 
 def orderings_text(found: list[Ordering]) -> str:
     """One line for each ordering."""
-    head = ["", "", "paper", "ours", "seeds won", "p (Holm)", "verdict"]
+    several = len({ordering.claim.baseline for ordering in found}) > 1
+    against = ["against"] if several else []
+    head = ["", "", *against, "paper", "ours", "seeds won", "p (Holm)", "verdict"]
     rows = []
     for ordering in found:
         claim = ordering.claim
@@ -88,6 +90,7 @@ def orderings_text(found: list[Ordering]) -> str:
             [
                 scenario_name(claim.scenario),
                 score.axis_label,
+                *([claim.baseline] if several else []),
                 claim.word,
                 interval(ordering.difference, score.difference_decimals, sign=True),
                 NOTHING if math.isnan(ordering.won) else f"{ordering.won:.0%}",
@@ -95,7 +98,7 @@ def orderings_text(found: list[Ordering]) -> str:
                 ordering.verdict,
             ]
         )
-    return aligned(head, separate(rows), left=3, last_left=True)
+    return aligned(head, separate(rows), left=3 + several, last_left=True)
 
 
 def orderings_frame(found: list[Ordering]) -> pd.DataFrame:

@@ -13,12 +13,18 @@ import argparse
 import csv
 import os
 import re
+import shlex
 import sys
 import time
 import tomllib
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).resolve().parents[1] / "harness"))
+
+import slurm_run
 from design import offspring, read_conditions, space_filling, write_conditions
+from interruption import Interrupted, raise_when_interrupted
+from progress import Progress
 from trials import Batch, Trial, batches, run, trials, write_studies
 
 STAGES = Path(__file__).with_name("stages.toml")
@@ -62,27 +68,6 @@ def prepare(stage: dict, folder: Path, before: Path | None, frames: float) -> li
             for trial in trials(folder / name, lengths, [replicate])]
 
 
-class Progress:
-    """A line that says how far it is and how long the rest will take; and what failed."""
-
-    def __init__(self, name: str, total: int):
-        self.name, self.total, self.count, self.failed = name, total, 0, 0
-        self.began = self.shown = time.monotonic()
-
-    def done(self, batch: Batch, complaint: str) -> None:
-        self.count += 1
-        if complaint:
-            self.failed += 1
-            condition = batch.trials[0].study.parent.name
-            print(f"\nFAILED {condition}: {complaint}", file=sys.stderr)
-        now = time.monotonic()
-        if now - self.shown > 1 or self.count == self.total:
-            self.shown = now
-            left = (now - self.began) / self.count * (self.total - self.count)
-            print(f"\r{self.name}: {self.count} of {self.total} batches, {self.failed} failed, "
-                  f"{left / 60:.0f} min left ", end="", file=sys.stderr, flush=True)
-
-
 def share_of(text: str) -> tuple[int, int]:
     """K/N, as a command-line type."""
     found = re.fullmatch(r"([1-9]\d*)/([1-9]\d*)", text)
@@ -110,6 +95,9 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--jobs", type=positive, default=os.cpu_count(), help="batches at a time")
     parser.add_argument("--share", type=share_of, default=(1, 1), metavar="K/N",
                         help="only every N-th batch, from the K-th: for many machines")
+    parser.add_argument("--shards", type=positive, help="run so many shares as an array job of Slurm")
+    parser.add_argument("--shard-cpus", type=positive, default=1, help="batches at a time in each")
+    parser.add_argument("--sbatch-flags", type=shlex.split, default=[], help="more options of sbatch")
     # A smaller search; its results are not those of the full one.
     parser.add_argument("--conditions", type=positive, help="of the first stage, or kept, instead of its number")
     parser.add_argument("--offspring", type=int, help="instead of the stage's number")
@@ -143,14 +131,65 @@ def main() -> int:
     waiting = batches(missing)
     print(f"{args.stage}: {len(mine)} trials, {len(missing)} to run in {len(waiting)} batches",
           file=sys.stderr)
-    progress = Progress(args.stage, len(waiting))
+    raise_when_interrupted()
     try:
-        failed = run(waiting, args.program, args.jobs, progress.done)
-    except KeyboardInterrupt:
-        print(f"\n{args.stage}: stopped; the same command continues it", file=sys.stderr)
+        if args.shards:
+            failed = over_slurm(args, folder, missing)
+        else:
+            failed = on_this_machine(args, waiting)
+    except Interrupted:
+        print(f"{args.stage}: stopped; the same command continues it", file=sys.stderr)
         return 130
-    print(file=sys.stderr)
     return 1 if failed else 0
+
+
+def on_this_machine(args: argparse.Namespace, waiting: list[Batch]) -> int:
+    """Run batches; how many failed."""
+    with Progress(args.stage, len(waiting)) as progress:
+        def done(batch: Batch, complaint: str) -> None:
+            progress.count(failed=bool(complaint))
+            progress.show()
+            if complaint:
+                print(f"\nFAILED {batch.trials[0].study.parent.name}: {complaint}", file=sys.stderr)
+
+        return run(waiting, args.program, args.jobs, done)
+
+
+def over_slurm(args: argparse.Namespace, folder: Path, missing: list[Trial]) -> int:
+    """Run the missing trials as an array job, each task of which is this script with a share; how many
+    are missing after it."""
+    if not missing:
+        return 0
+    logs = folder / "slurm"
+    logs.mkdir(exist_ok=True)
+    command = shlex.join([sys.executable, str(Path(__file__).resolve()), args.stage,
+                          f"--program={Path(args.program).resolve()}", f"--results={args.results.resolve()}",
+                          f"--jobs={args.shard_cpus}", *same_stage(args)])
+    request = slurm_run.Request(args.shards, args.shard_cpus, args.sbatch_flags)
+    number = slurm_run.submit(f"conditions {args.stage}", logs,
+                              f'{command} --share="$SLURM_ARRAY_TASK_ID"/{args.shards}', request)
+    print(f"{args.stage}: Slurm's job {number}, logs in {logs}", file=sys.stderr)
+    try:
+        with Progress(args.stage, len(missing)) as progress:
+            while True:
+                queued = slurm_run.is_queued(number)
+                for trial in [trial for trial in missing if trial.record.exists()]:
+                    missing.remove(trial)
+                    progress.count(failed=False)
+                progress.show()
+                if not queued:
+                    return len(missing)
+                time.sleep(slurm_run.POLL_S)
+    except Interrupted:
+        slurm_run.cancel(number)
+        raise
+
+
+def same_stage(args: argparse.Namespace) -> list[str]:
+    """The options that shape the stage."""
+    found = {"conditions": args.conditions, "offspring": args.offspring, "seeds": args.seeds,
+             "frames": args.frames}
+    return [f"--{name}={value}" for name, value in found.items() if value is not None]
 
 
 if __name__ == "__main__":

@@ -83,13 +83,8 @@ def write_studies(folder: Path, condition: dict[str, Value], frames: dict[str, i
                              ("outdoor1", ["outdoor1"]), ("outdoor2", ["outdoor2"])):
         content = {"title": f"Condition {folder.name}", "scenarios": scenarios, "seeds": 1,
                    "frames": frames[Path(scenarios[0]).stem], "series": True,
-                   "methods": ["ldm", "circular_buffer"], "set": parameters(condition)}
-        text = toml(content)
-        for reading, readjust in (("eq17", True), ("free", False)):
-            variant = {"name": f"circular_buffer_pf_{reading}", "method": "circular_buffer_pf"}
-            text += "\n[[variant]]\n" + toml(variant)
-            text += f'set = {{"clusters.readjust" = {str(readjust).lower()}}}\n'
-        (folder / f"{study}.toml").write_text(text, encoding="utf-8")
+                   "methods": list(METHODS[Path(scenarios[0]).stem]), "set": parameters(condition)}
+        (folder / f"{study}.toml").write_text(toml(content), encoding="utf-8")
 
 
 def trials(folder: Path, frames: dict[str, int], replicates: Iterable[int]) -> list[Trial]:

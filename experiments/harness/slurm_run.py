@@ -53,7 +53,10 @@ def run(study: Study, todo: list[str], request: Request) -> dict[str, str]:
     @raises Interrupted after the job has been cancelled.
     """
     write_shards(study, todo, request.shards)
-    number = submit(study, min(request.shards, len(todo)), request)
+    folder = study.folder / "slurm"
+    task = shlex.join([sys.executable, str(HERE / "shard.py"), f"--jobs={request.cpus}", f"{folder}/shard-"])
+    request = dataclasses.replace(request, shards=min(request.shards, len(todo)))
+    number = submit(f"study {study.label}", folder, f'{task}"$SLURM_ARRAY_TASK_ID".json', request)
     job_file(study).write_text(number + "\n", encoding="utf-8")
     try:
         return follow(study, todo, number)
@@ -80,21 +83,19 @@ def write_shards(study: Study, todo: list[str], shards: int) -> None:
         (folder / f"shard-{shard + 1}.json").write_text(share, encoding="utf-8")
 
 
-def submit(study: Study, shards: int, request: Request) -> str:
-    """Number of the array job."""
-    folder = study.folder / "slurm"
-    task = shlex.join([sys.executable, str(HERE / "shard.py"), f"--jobs={request.cpus}", f"{folder}/shard-"])
-    sbatch = ["sbatch", "--parsable", "--requeue", f"--job-name=study-{study.label}",
-              f"--array=1-{shards}", f"--cpus-per-task={request.cpus}", "--ntasks=1",
+def submit(label: str, folder: Path, command: str, request: Request) -> str:
+    """Number of the array job whose tasks run `command`, a shell's; their logs go to `folder`/shard-K.log."""
+    sbatch = ["sbatch", "--parsable", "--requeue", f"--job-name={label.replace(' ', '-')}",
+              f"--array=1-{request.shards}", f"--cpus-per-task={request.cpus}", "--ntasks=1",
               f"--output={folder}/shard-%a.log", "--open-mode=append", *request.flags,
-              "--wrap", f'exec {task}"$SLURM_ARRAY_TASK_ID".json']
+              "--wrap", f"exec {command}"]
     try:
         done = subprocess.run(sbatch, capture_output=True, text=True, check=False)
     except FileNotFoundError:
-        sys.exit(f"study {study.label}: sbatch is not installed here: SLURM=1 needs a machine that submits "
+        sys.exit(f"{label}: sbatch is not installed here: SLURM=1 needs a machine that submits "
                  "to Slurm; without it the trials run on this one")
     if done.returncode != 0:
-        sys.exit(f"study {study.label}: sbatch: {done.stderr.strip()}")
+        sys.exit(f"{label}: sbatch: {done.stderr.strip()}")
     return done.stdout.strip().partition(";")[0]
 
 

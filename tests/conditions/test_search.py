@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -127,6 +128,29 @@ def test_shares_of_many_machines_are_the_whole(tmp_path):
     assert len(records(tmp_path, "stage1")) == OF_ONE
 
 
+@needs_program
+def test_over_slurm_the_shares_are_tasks_of_one_job(tmp_path, monkeypatch):
+    for name in ("sbatch", "squeue", "scancel"):
+        shutil.copy(ROOT / "tests" / "harness" / "fake_slurm.sh", tmp_path / name)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    monkeypatch.setenv("SLURM_STATE", str(tmp_path))
+    options = ("--conditions", "1", "--frames", "0.02", "--shards", "2", "--sbatch-flags=--time=9:00")
+    done = stage(tmp_path / "r", "stage1", *options)
+    assert done.returncode == 0, done.stderr
+    assert len(records(tmp_path / "r", "stage1")) == OF_ONE
+    arguments = (tmp_path / "arguments").read_text().splitlines()
+    assert "--array=1-2" in arguments and "--time=9:00" in arguments
+    again = stage(tmp_path / "r", "stage1", *options)
+    assert again.returncode == 0 and "0 to run" in again.stderr and "job" not in again.stderr
+
+
+def test_without_slurm_one_line_says_so(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    found = stage(tmp_path / "r", "stage1", "--conditions", "1", "--shards", "2")
+    assert found.returncode == 1
+    assert found.stderr.splitlines()[-1].startswith("conditions stage1: sbatch is not installed here")
+
+
 @pytest.mark.parametrize("option", [("--share", "3/2"), ("--share", "0/2"), ("--share", "x"),
                                     ("--frames", "2"), ("--frames", "0.0"), ("--seeds", "0")])
 def test_a_bad_option_is_named_with_what_is_allowed(tmp_path, option):
@@ -151,6 +175,6 @@ def test_a_trial_that_fails_is_named_and_the_rest_is_run(tmp_path):
 def test_files_of_a_condition_are_studies_of_the_program(tmp_path):
     write_studies(tmp_path / "c0001", space_filling(1)[0], FRAMES)
     study = tomllib.loads((tmp_path / "c0001" / "flight.toml").read_text())
-    assert [v["set"]["clusters.readjust"] for v in study["variant"]] == [True, False]
+    assert study["methods"] == list(METHODS["scenario1"])
     assert Trial(tmp_path / "c0001" / "flight.toml", "a.b.s001", 1, 3).record == (
         tmp_path / "c0001" / "records" / "a.b.s001.json")

@@ -92,7 +92,8 @@ TEST_F(Program, ListsTheValuesOfScenarios) {
 TEST_F(Program, CompletesWhatIsTyped) {
   EXPECT_EQ(ldm("complete sc").out, "scenarios\nscore\n");
   EXPECT_EQ(ldm("complete run circ").out,
-            "circular_buffer\ncircular_buffer_low_clamp\ncircular_buffer_pf\n");
+            "circular_buffer\ncircular_buffer_low_clamp\ncircular_buffer_pf\n"
+            "circular_buffer_pf_eq17\ncircular_buffer_pf_free\n");
   EXPECT_EQ(ldm("complete run ldm scenario").out, "scenario1\nscenario2\nscenario3\n");
   EXPECT_EQ(ldm("complete run octomap scenario1 --set map.").out,
             "map.resolution_m=\nmap.voxels=\n");

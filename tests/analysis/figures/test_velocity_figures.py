@@ -18,7 +18,7 @@ SHORT = list(range(0, 90))
 
 def records(**changes):
     made = []
-    for method in ("ldm", "circular_buffer_pf"):
+    for method in ("ldm", "circular_buffer_pf_eq17"):
         for scenario, dynamic in (("scenario1", True), ("scenario2", False)):
             series = [make_series(4, dynamic, SHORT), make_series(5, dynamic, LONG)]
             for replicate in (2, 3):
@@ -107,7 +107,7 @@ def test_all_files_are_made_and_the_same_again(tmp_path):
 
 def test_one_method_alone_is_refused(tmp_path):
     write_records(tmp_path, [r for r in records() if r["method"] == "ldm"])
-    with pytest.raises(InputError, match="no replicate of scenario1 has ldm, circular_buffer_pf"):
+    with pytest.raises(InputError, match="no replicate of scenario1 has ldm, circular_buffer_pf_eq17"):
         choose_shown(load_study(tmp_path, "table1"), "scenario1", dynamic=True)
 
 

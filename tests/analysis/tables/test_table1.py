@@ -14,7 +14,7 @@ from analysis.tables.orderings import (
     REPRODUCED,
     UNDECIDED,
     judge,
-    published_claim,
+    published_claims,
 )
 from analysis.tables.table1 import main
 
@@ -116,7 +116,7 @@ def judged(tmp_path, ldm, baseline):
     records = [make_record("ldm", i, scores={"f1": v}) for i, v in enumerate(ldm)]
     records += [make_record("octomap", i, scores={"f1": v}) for i, v in enumerate(baseline)]
     study = load_study(write_records(tmp_path, records), "table1")
-    claim = published_claim("scenario1", "f1", {"ldm": 0.9, "octomap": 0.8})
+    (claim,) = published_claims("scenario1", "f1", {"ldm": 0.9, "octomap": 0.8})
     return judge(study, [claim])[0]
 
 

@@ -53,8 +53,8 @@ TEST(Methods, UnknownOneListsTheKnown) {
   const std::string message = tests::message_of([] { find_method("kalman"); });
   EXPECT_EQ(message,
             "unknown method kalman: allowed: ldm, object_ldm, circular_buffer, "
-            "circular_buffer_low_clamp, circular_buffer_pf, octomap, current_scan, empty_map, "
-            "plain_ldm");
+            "circular_buffer_low_clamp, circular_buffer_pf, circular_buffer_pf_eq17, "
+            "circular_buffer_pf_free, octomap, current_scan, empty_map, plain_ldm");
 }
 
 TEST(Methods, RefuseParametersTheyDoNotUse) {
