@@ -47,8 +47,9 @@ std::deque<Method>& table() {
        .parameters = {"map", "sensor_model"},
        .overrides = {{"sensor_model.log_odds_max", "1.0"}},
        .create = create<baselines::CircularBuffer>},
-      // Sigma and readjustment are the ones that served this method best. The two rows after it are what
-      // the paper's "[11] with PF" may mean: the LDM's filter as it is, with or without Eq. 17.
+      // Sigma and readjustment are the ones that served this method best. The two rows after it are
+      // what the paper's "[11] with PF" may mean: the LDM's filter as it is, with or without
+      // Eq. 17.
       {.name = "circular_buffer_pf",
        .help = "circular_buffer with the LDM's particle filter and clustering beside it, tuned",
        .finds_clusters = true,
