@@ -232,7 +232,7 @@ scripts_velocity = tables.velocity figures.velocity_figures
 scripts_timing = figures.computation_time
 scripts_outdoor = figures.outdoor_figures
 scripts_avoidance = figures.avoidance_figures
-scripts_avoidance_trust = figures.avoidance_figures
+scripts_avoidance_trust = figures.avoidance_figures tables.trust_table
 define draw
 $(foreach script,$(or $(scripts_$(call stem,$(STUDY))),figures.sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
 endef
