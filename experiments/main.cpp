@@ -355,6 +355,8 @@ class CommandLine {
                                    "name=value of flight, trust or map (docs/avoidance.md); may be "
                                    "repeated"));
     command->add_option("-o,--output", fly_.output, "folder, made if it is missing")->required();
+    command->add_option("--video", fly_.video,
+                        "FILE.mp4: map, clusters, UAV, planned and flown path; needs ffmpeg");
   }
 
   void add_trial() {

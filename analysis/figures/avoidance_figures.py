@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 import sys
+from pathlib import Path
 from typing import Sequence
 
 from matplotlib.figure import Figure
@@ -73,6 +74,15 @@ def success_figure(study: Study) -> Figure:
     return figure
 
 
+def draw(study: Study, folder: Path) -> list[Path]:
+    """Draw the figure of a study without a sweep into a folder; returns the pictures."""
+    caption = (
+        "Flights that reach their goal 20 m away, with 95% Wilson intervals: one planner, what it "
+        f"knows differs. {study.source()}."
+    )
+    return save(success_figure(study), folder / "avoidance", caption)
+
+
 def main(argv: Sequence[str] | None = None) -> None:
     args = parser(__doc__, "avoidance").parse_args(argv)
     study = load_study(args.results, args.study)
@@ -80,12 +90,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     print(write_table(study))
     if len(study.points) > 1:
         return  # a sweep is a table alone
-    caption = (
-        "Flights that reach their goal 20 m away, with 95% Wilson intervals: one planner, what it "
-        f"knows differs. {study.source()}."
-    )
-    for picture in save(success_figure(study), study.folder / "figures" / "avoidance", caption):
-        print(picture)
+    print(*draw(study, study.folder / "figures"), sep="\n")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from analysis.data.records import Study
 from analysis.report import latex
 from analysis.report.claims import ledger, ledger_table
 from analysis.report.claims_outdoor import outdoor_table
+from analysis.report.closed_loop import success_table
 from analysis.report.equations import index_table, read_index
 from analysis.report.evidence import SWEEPS, Evidence, command
 from analysis.report.figures import write_figures
@@ -49,6 +50,7 @@ def write_report(evidence: Evidence, equations: Path, output: Path) -> None:
         "ledger": ledger_table(rows, captions["ledger"]),
         "accuracy": _tabular(evidence, accuracy_table, captions["accuracy"], "tab:accuracy"),
         "velocity": _tabular(evidence, velocity_table, captions["velocity"], "tab:velocity"),
+        "avoidance": success_table(evidence, captions["avoidance"]),
         "outdoor": outdoor_table(evidence, captions["outdoor"]),
         "open-points": points_table(evidence, defaults, captions["open-points"]),
         "sensitivity": sensitivity_table(evidence, captions["sensitivity"]),
@@ -93,6 +95,7 @@ def _captions(evidence: Evidence) -> dict[str, str]:
         "accuracy": ("Occupancy grid accuracy, the paper's beside ours", ("table1",)),
         "velocity": ("Velocity error, the paper's beside ours", ("table1",)),
         "outdoor": ("Claims on the flight outdoors, the paper's beside ours", ("outdoor",)),
+        "avoidance": (r"Flights that reach the goal (\%), with 95\,\% Wilson intervals", ("avoidance",)),
         "open-points": (f"Open points and their effect: {effects}",
                         ("ablation", "process_noise", "survival")),
         "sensitivity": (f"Orders under other circumstances: {orders}",

@@ -8,6 +8,7 @@ from pathlib import Path
 from analysis.data.output import write_text
 from analysis.data.scores import MAIN_SCORES, find_scores
 from analysis.figures import (
+    avoidance_figures,
     computation_time,
     figure5,
     flight_figures,
@@ -26,6 +27,7 @@ _STUDY = {
     **{f"figure{number}": FLIGHT for number in (11, 12, 13)},
     **{name: "outdoor" for name in outdoor_figures.PERSONS},
     "computation_time": "timing",
+    "avoidance": "avoidance",
     **{study: study for study in (*SWEEPS, "ablation")},
 }
 """Figure -> what it is made of."""
@@ -56,6 +58,8 @@ def _draw_all(evidence: Evidence, folder: Path) -> list[Path]:
         made += flight_figures.draw(flight, folder)
     if (study := evidence.study("outdoor")) is not None:
         made += outdoor_figures.draw(study, folder)
+    if (study := evidence.study("avoidance")) is not None:
+        made += avoidance_figures.draw(study, folder)
     if (study := evidence.study("timing")) is not None:
         records = computation_time.serial_records(study)
         table = computation_time.time_table(records, study.methods)

@@ -17,6 +17,7 @@ from analysis.report import latex
 from analysis.report.bench_numbers import bench_numbers
 from analysis.report.claim_rows import MOST_PCT, Row
 from analysis.report.claims import counts
+from analysis.report.closed_loop import closed_loop_numbers
 from analysis.report.evidence import STUDIES, WORLDS, Evidence
 from analysis.report.open_points import open_points, show
 from analysis.tables import accuracy_table
@@ -35,6 +36,7 @@ def numbers(evidence: Evidence, rows: list[Row], defaults: dict[str, object]) ->
     found |= _time_numbers(evidence)
     found |= bench_numbers(evidence)
     found |= _world_numbers(evidence)
+    found |= closed_loop_numbers(evidence)
     return found
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import combinations
+from typing import Mapping, Sequence
 
 import numpy as np
 import pandas as pd
@@ -14,6 +15,8 @@ from analysis.data.statistics import SIGNIFICANCE, Interval, holm
 from analysis.tables.text_table import NOTHING, aligned, latex_tabular, latex_text, number, p_value
 
 CONTROLS = ("blind", "oracle", "oracle_future")
+MEDIUM = ("moving10_05", "moving10_10")
+"""Worlds of medium difficulty, which are also counted together."""
 
 COUNTS = ("hit_static", "hit_moving", "hit_braking", "timed_out")
 """Ends of a flight that is no success: sums over seeds."""
@@ -47,6 +50,17 @@ def success(study: Study, world: str, arm: str, point: str = "") -> Interval:
     return wilson(int(values.sum()), len(values))
 
 
+def flown(study: Study, worlds: Sequence[str], arm: str, point: str = "") -> pd.Series:
+    """(world, seed) -> 1 if the flight reaches the goal, else 0."""
+    return pd.concat({world: study.per_seed(world, arm, "success", point) for world in worlds})
+
+
+def medium_success(study: Study, arm: str) -> Interval:
+    """`success` over the worlds of medium difficulty together."""
+    values = flown(study, MEDIUM, arm)
+    return wilson(int(values.sum()), len(values))
+
+
 def success_frame(study: Study) -> pd.DataFrame:
     """A row for each world, point and arm: share, interval, seeds, counts, means and times."""
     rows = []
@@ -75,12 +89,21 @@ def pair_frame(study: Study) -> pd.DataFrame:
 
     Holm's correction is over all pairs of all worlds and points.
     """
+    return _pairs(study, {world: (world,) for world in study.scenarios})
+
+
+def medium_pairs(study: Study) -> pd.DataFrame:
+    """The same over the worlds of medium difficulty together, with Holm's correction of its own."""
+    return _pairs(study, {"medium": MEDIUM})
+
+
+def _pairs(study: Study, groups: Mapping[str, Sequence[str]]) -> pd.DataFrame:
     rows = []
-    for world in study.scenarios:
+    for world, worlds in groups.items():
         for point in study.points:
-            flown = {arm: study.per_seed(world, arm, "success", point) for arm in arms(study)}
-            for a, b in combinations(flown, 2):
-                of_a, of_b = flown[a].align(flown[b], join="inner")
+            by_arm = {arm: flown(study, worlds, arm, point) for arm in arms(study)}
+            for a, b in combinations(by_arm, 2):
+                of_a, of_b = by_arm[a].align(by_arm[b], join="inner")
                 if of_a.empty:
                     continue
                 rows.append((world, point, a, b, len(of_a), int(((of_a == 1) & (of_b == 0)).sum()),
@@ -124,6 +147,37 @@ def _without_empty(head: list[str], rows: list[list[str]], column: int) -> tuple
         [c for i, c in enumerate(row) if i != column] for row in rows]  # fmt: skip
 
 
+PAIR_HEAD = ["world", "point", "a", "b", "alone", "p", "p, Holm"]
+
+
+def _told(tested: pd.DataFrame) -> list[list[str]]:
+    """Rows of the pairs that differ."""
+    return [[t.world, t.point, t.a, t.b, f"{t.only_a} : {t.only_b}", p_value(t.p), p_value(t.p_holm)]
+            for t in tested.itertuples() if t.p_holm < SIGNIFICANCE]  # fmt: skip
+
+
+def _medium_text(study: Study) -> list[str]:
+    """The worlds of medium difficulty together, if the study has them."""
+    if len(study.points) > 1 or not set(MEDIUM) <= set(study.scenarios):
+        return []
+    tested = medium_pairs(study)
+    return [
+        f"The worlds of medium difficulty together ({', '.join(MEDIUM)}), and the pairs of arms that",
+        f"differ there (the same test, Holm over {len(tested)} pairs).\n",
+        aligned(arms(study), [[_percent(medium_success(study, arm)) for arm in arms(study)]], left=0),
+        aligned(*_without_empty(PAIR_HEAD, _told(tested), 1), left=3),
+    ]
+
+
+def tabular(study: Study) -> str:
+    """Success per world and arm as LaTeX."""
+    head, rows = _without_empty(
+        ["world", "point", *arms(study)], _success_rows(study, success_frame(study)), 1)  # fmt: skip
+    columns = "l" * (len(head) - len(arms(study))) + "c" * len(arms(study))
+    tex_head = " & ".join(rf"\texttt{{{latex_text(cell)}}}" for cell in head) + r" \\"
+    return latex_tabular(columns, [tex_head], [[latex_text(cell) for cell in row] for row in rows])
+
+
 def write_table(study: Study) -> str:
     """Write avoidance.{txt,csv,tex} and avoidance_tests.csv of a study; returns the text."""
     frame, tested = success_frame(study), pair_frame(study)
@@ -136,8 +190,6 @@ def write_table(study: Study) -> str:
         ["world", "point", "arm", *(name.replace("_", " ") for name in COUNTS),
          *(head for head, _ in MEANS.values()), "violations", *TIMES.values()],
         _detail_rows(frame), 1)  # fmt: skip
-    told = [[t.world, t.point, t.a, t.b, f"{t.only_a} : {t.only_b}", p_value(t.p), p_value(t.p_holm)]
-            for t in tested.itertuples() if t.p_holm < SIGNIFICANCE]  # fmt: skip
     text = "\n".join([
         f"Flights that reach the goal (%) [95% Wilson interval]; {study.source()}.\n",
         aligned(*shares),
@@ -148,12 +200,9 @@ def write_table(study: Study) -> str:
         aligned(*details, left=2),
         f"Pairs of arms that differ (exact McNemar test, Holm over {len(tested)} pairs, p < 0.05): seeds",
         "that the one alone survives : the other alone.\n",
-        aligned(*_without_empty(["world", "point", "a", "b", "alone", "p", "p, Holm"], told, 1), left=3),
+        aligned(*_without_empty(PAIR_HEAD, _told(tested), 1), left=3),
+        *_medium_text(study),
     ])  # fmt: skip
     write_text(folder / "avoidance.txt", text)
-    head, rows = shares
-    columns = "l" * (len(head) - len(arms(study))) + "c" * len(arms(study))
-    tex_head = " & ".join(rf"\texttt{{{latex_text(cell)}}}" for cell in head) + r" \\"
-    write_text(folder / "avoidance.tex", latex_tabular(
-        columns, [tex_head], [[latex_text(cell) for cell in row] for row in rows]))  # fmt: skip
+    write_text(folder / "avoidance.tex", tabular(study))
     return text

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "datasets/files/text.h"
 #include "datasets/random.h"
 
 namespace experiments {
@@ -22,6 +23,7 @@ using datasets::Scenario;
 
 constexpr double kStep = 0.1;          ///< between checks of distances [s]
 constexpr double kClearOfStart = 2.0;  ///< time in which nothing comes upon the start [s]
+constexpr double kShortestWay = 1;     ///< from start to goal [m]
 constexpr int kObstacleAttempts = 2000;
 constexpr int kWorldAttempts = 20;
 
@@ -36,6 +38,12 @@ void check_corridor(const Scenario& scenario) {
     if (group.motion == ObstacleMotionKind::kTimetable) {
       refuse("groups." + group.name + ".motion = timetable", "static, shuttle");
     }
+  }
+  const double way =
+      (scenario.uav.timetable.back().place - scenario.uav.timetable.front().place).norm();
+  if (way < kShortestWay) {
+    refuse("uav.timetable_s_m: " + datasets::decimal(way) + " m from start to goal",
+           "at least " + datasets::decimal(kShortestWay) + " m");
   }
 }
 

@@ -21,7 +21,8 @@ struct Corridor {
 /// in its area, off start and goal by `uav.clearance`; a shuttle passes a place in the area at a
 /// time between the first stop and the last, on a line of the group's `leg`, and keeps off the
 /// start for the first two seconds. The same scenario and seed give the same bits.
-/// @throws ldm::InvalidInput if the scenario has another flight, or another motion of obstacles
+/// @throws ldm::InvalidInput if the scenario has another flight, a goal less than 1 m from the
+/// start, or another motion of obstacles
 /// @throws std::runtime_error naming scenario, seed and reason if there is no room for such a world
 /// after a bounded number of attempts.
 Corridor draw_corridor(const datasets::Scenario& scenario, std::uint64_t seed);

@@ -60,9 +60,10 @@ class Loop {
     const auto scans = std::llround(task_.corridor.duration * task_.sensor.rate);
     for (std::int64_t scan = 0; scan < scans; ++scan) {
       const double t = static_cast<double>(scan) * scan_step;
-      if (scan == 0 && judge(0)) return std::move(flight_);
       see(scan, t);
       if (scan % scans_a_plan == 0) plan();
+      if (observer_) observer_({frame_, plan_, planned_at_});
+      if (scan == 0 && judge(0)) return std::move(flight_);
       for (long long i = 1; i <= judged_a_scan; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(judged_a_scan);
         if (judge(t + share * scan_step)) return std::move(flight_);
@@ -105,12 +106,12 @@ class Loop {
         thread_time_of([&] { sight_.predict(sample_times_, surroundings_); }));
     const ControlPoints fixed(flight_.points.end() - static_cast<std::ptrdiff_t>(3 + waits_),
                               flight_.points.end());
-    Plan plan;
-    flight_.solve_ms.push_back(thread_time_of([&] { plan = planner_.next(fixed, surroundings_); }));
-    flight_.points.push_back(plan.points[fixed.size()]);
-    if (plan.braking && (braking_.empty() || !braking_.back())) ++flight_.brakings;
-    braking_.push_back(plan.braking);
-    if (observer_) observer_(frame_, plan);
+    flight_.solve_ms.push_back(
+        thread_time_of([&] { plan_ = planner_.next(fixed, surroundings_); }));
+    planned_at_ = frame_.scan.time;
+    flight_.points.push_back(plan_.points[fixed.size()]);
+    if (plan_.braking && (braking_.empty() || !braking_.back())) ++flight_.brakings;
+    braking_.push_back(plan_.braking);
   }
 
   /// Note where the UAV is; true if the flight ends here.
@@ -163,6 +164,8 @@ class Loop {
   std::size_t waits_;  // segments that are flown before a plan takes effect
   SampleTimes sample_times_;
   Surroundings surroundings_;
+  Plan plan_;
+  double planned_at_ = 0;
   std::vector<bool> braking_;  // by segment
   std::map<std::int32_t, double> known_from_;
   datasets::Frame frame_;

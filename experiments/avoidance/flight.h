@@ -46,8 +46,13 @@ struct FlightTask {
   double delay = 0.2;  ///< from a scan until what was planned upon it is flown [s]
 };
 
-/// What a plan was made of, for pictures: the scan's frame, and the plan.
-using FlightObserver = std::function<void(const datasets::Frame&, const Plan&)>;
+/// What is told after every scan, for logs and films.
+struct FlightMoment {
+  const datasets::Frame& frame;
+  const Plan& plan;       ///< the latest; its spline begins at the scan it was made from,
+  double planned_at = 0;  ///< at this time [s]
+};
+using FlightObserver = std::function<void(const FlightMoment&)>;
 
 /// Fly from start to goal: a scan at every revolution of the LiDAR, a plan at every knot step from
 /// the scans until then, which takes effect at the first knot after the delay. The UAV is a ball

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <optional>
 #include <ostream>
 
 #include "datasets/files/partial_file.h"
 #include "datasets/scenario/flight/bspline.h"
+#include "experiments/avoidance/flight_film.h"
 #include "experiments/avoidance/flight_record.h"
 #include "experiments/avoidance/flight_study.h"
 
@@ -78,6 +81,20 @@ void write_plan(const datasets::Frame& frame, const Plan& plan, double knot_step
   }
 }
 
+std::string heading(const FlyRequest& request) {
+  return request.arm + ", " + std::filesystem::path(request.world).stem().string() + ", seed " +
+         std::to_string(request.seed);
+}
+
+std::string ending(const Flight& flight) {
+  const FlightSample& last = flight.samples.back();
+  char text[160];
+  std::snprintf(text, sizeof text, "%s after %.2f s at (%.2f, %.2f, %.2f) m",
+                kOutcomeNames[static_cast<std::size_t>(flight.outcome)].data(), last.time,
+                last.position.x(), last.position.y(), last.position.z());
+  return flight.hit ? text + (", obstacle " + std::to_string(*flight.hit)) : text;
+}
+
 }  // namespace
 
 void fly(const FlyRequest& request, const DataFolders& folders, std::ostream& out) {
@@ -97,25 +114,25 @@ void fly(const FlyRequest& request, const DataFolders& folders, std::ostream& ou
   datasets::PartialFile summary(request.output / "summary.json");
   obstacles.stream() << "time_s,id,dynamic,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m\n";
   plans.stream() << "planned_at_s,ahead_s,x_m,y_m,z_m,braking\n";
-  const auto observe = [&](const datasets::Frame& frame, const Plan& plan) {
-    write_obstacles(frame, obstacles.stream());
-    write_plan(frame, plan, task.planner.knot_step, plans.stream());
-  };
   const Arm& arm = record.settings.arm;
-  record.flight = fly(task, *arm.sight(record.settings.map, task.corridor), observe);
+  const std::unique_ptr<Sight> sight = arm.sight(record.settings.map, task.corridor);
+  std::optional<FlightFilm> film;
+  if (request.video) film.emplace(*request.video, heading(request), task);
+  const auto observe = [&](const FlightMoment& moment) {
+    if (moment.planned_at == moment.frame.scan.time) {
+      write_obstacles(moment.frame, obstacles.stream());
+      write_plan(moment.frame, moment.plan, task.planner.knot_step, plans.stream());
+    }
+    if (film) film->add(moment, sight->map());
+  };
+  record.flight = fly(task, *sight, observe);
   record.scores = flight_scores(task, record.flight);
+  if (film) film->finish(ending(record.flight));
   write_samples(record.flight, samples.stream());
   summary.stream() << to_json(record, provenance());
   for (datasets::PartialFile* file : {&samples, &obstacles, &plans, &summary}) file->commit();
 
-  const FlightSample& last = record.flight.samples.back();
-  char text[160];
-  std::snprintf(text, sizeof text, "%s after %.2f s at (%.2f, %.2f, %.2f) m",
-                kOutcomeNames[static_cast<std::size_t>(record.flight.outcome)].data(), last.time,
-                last.position.x(), last.position.y(), last.position.z());
-  out << text;
-  if (record.flight.hit) out << ", obstacle " << *record.flight.hit;
-  out << '\n';
+  out << ending(record.flight) << '\n';
 }
 
 }  // namespace experiments

@@ -76,6 +76,8 @@ class MappedSight final : public Sight {
     return false;
   }
 
+  ldm::LocalMap map() const override { return map_; }
+
  private:
   bool moves(const ldm::Cluster& cluster) const {
     return static_cast<double>(cluster.velocity.norm()) >= trust_.moving_from;
@@ -142,6 +144,29 @@ class TrueSight final : public Sight {
     return ((object.position - middle).cwiseAbs().array() <=
             (half_window + object.size / 2).array())
         .all();
+  }
+
+  ldm::LocalMap map() const override {
+    ldm::LocalMap map;
+    map.window = window_;
+    map.resolution = parameters_.map.resolution;
+    datasets::Truth known;
+    for (const datasets::ObjectState& object : objects_) {
+      if (!knows(object)) continue;
+      known.objects.push_back(object);
+      map.clusters.push_back({.position = object.position.cast<float>(),
+                              .size = object.size.cast<float>(),
+                              .velocity = object.velocity.cast<float>(),
+                              .voxels = 0,
+                              .dynamic = object.dynamic});
+    }
+    datasets::solid_voxels(known, window_, map.resolution, map.labels);
+    map.occupancy.reserve(map.labels.size());
+    for (const std::int32_t label : map.labels) {
+      map.occupancy.push_back(label >= 0 ? 1.0F : ldm::kUnknown);
+      if (label >= 0) ++map.clusters[static_cast<std::size_t>(label)].voxels;
+    }
+    return map;
   }
 
  private:

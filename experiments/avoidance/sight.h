@@ -30,6 +30,8 @@ class Sight {
   virtual void predict(const SampleTimes& times, Surroundings& surroundings) = 0;
   /// Whether anything of an object is known after the last scan.
   virtual bool knows(const datasets::ObjectState& object) const = 0;
+  /// The same as a map, for pictures.
+  virtual ldm::LocalMap map() const = 0;
 };
 
 /// Knows what a method maps. Clusters that move are predicted at constant velocity.

@@ -1,5 +1,6 @@
 #include "experiments/pictures/picture.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "experiments/pictures/label_placer.h"
@@ -13,6 +14,7 @@ using Align = PictureCanvas::Align;
 using Eigen::Vector2d;
 
 constexpr Colour kText{25, 25, 25};
+constexpr double kLegendStep = 31, kLastLegendRow = 684;  // [pixel]
 
 /// The words and the legend.
 class Words {
@@ -61,11 +63,13 @@ class Words {
     const PictureCamera& camera = canvas_.camera();
     const double depth = 0.6 * camera.depth();
     const double pixel = depth / camera.focal_length();  // [m]
-    double row = 560;
+    const std::size_t rows = picture_.cube_keys.size() + (picture_.arrow_key.empty() ? 0 : 1) +
+                             picture_.paths.size() + 2;
+    double row = std::min(560.0, kLastLegendRow - kLegendStep * static_cast<double>(rows - 1));
     const auto at = [&](double column) { return camera.world({column, row}, depth); };
     const auto explain = [&](const std::string& text) {
       canvas_.words({100, row + 6}, 19, text, Align::kLeft, kText);
-      row += 31;
+      row += kLegendStep;
     };
     for (const Picture::CubeKey& key : picture_.cube_keys) {
       double column = 55 - 11.0 * static_cast<double>(key.colours.size() - 1);
@@ -78,6 +82,12 @@ class Words {
     if (!picture_.arrow_key.empty()) {
       canvas_.arrow(at(30), at(82), 7 * pixel, kArrowColour);
       explain(picture_.arrow_key);
+    }
+    for (const Picture::Path& path : picture_.paths) {
+      for (const double column : {34.0, 48.0, 62.0, 76.0}) {
+        canvas_.ball(at(column), 4 * pixel, path.colour);
+      }
+      explain(path.text);
     }
     for (const double column : {34.0, 39.0, 44.0, 49.0}) canvas_.dot(at(column), kPointColour);
     for (const double column : {61.0, 66.0, 71.0, 76.0}) canvas_.dot(at(column), kOutsideColour);

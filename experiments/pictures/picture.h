@@ -28,6 +28,12 @@ struct Picture {
     ldm::Point from, to;
     std::string label;  ///< beside its tip
   };
+  /// A row of small balls, explained in the legend.
+  struct Path {
+    std::vector<ldm::Point> points;
+    Colour colour;
+    std::string text;
+  };
   /// One line of the legend: a small cube of each colour, then the text.
   struct CubeKey {
     std::vector<Colour> colours;
@@ -44,6 +50,7 @@ struct Picture {
   std::vector<CubeKey> cube_keys;
   std::vector<Arrow> arrows;  ///< red
   std::string arrow_key;      ///< what arrows mean; empty: no such line in the legend
+  std::vector<Path> paths;
   ldm::Pose T_world_uav;
 };
 

@@ -11,6 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr Colour kShadow{226, 226, 226}, kUav{40, 48, 66};
+constexpr double kPathRadius = 0.03;  // [m]
 
 void draw_cubes(const Picture& picture, PictureCanvas& canvas) {
   for (const Picture::Cube& cube : picture.cubes) {
@@ -47,6 +48,11 @@ void draw_solids(const Picture& picture, PictureCanvas& canvas) {
   draw_points(picture, canvas);
   for (const Picture::Arrow& arrow : picture.arrows) {
     canvas.arrow(arrow.from.cast<double>(), arrow.to.cast<double>(), 0.075 * scale, kArrowColour);
+  }
+  for (const Picture::Path& path : picture.paths) {
+    for (const ldm::Point& p : path.points) {
+      canvas.ball(p.cast<double>(), kPathRadius * scale, path.colour);
+    }
   }
   draw_uav(picture.T_world_uav, scale, canvas);
 }

@@ -10,8 +10,8 @@ inline constexpr Colour kArrowColour{205, 0, 0}, kPointColour{20, 20, 20},
 /// A quadrotor, 0.8 m across for scale 1.
 void draw_uav(const ldm::Pose& T_world_uav, double scale, PictureCanvas& canvas);
 
-/// Grid, cubes with their shadows, points, arrows and UAV, the last two larger than life in a large
-/// map.
+/// Grid, cubes with their shadows, points, arrows, paths and UAV, the last three larger than life
+/// in a large map.
 void draw_solids(const Picture& picture, PictureCanvas& canvas);
 
 }  // namespace experiments

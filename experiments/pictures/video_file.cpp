@@ -53,6 +53,11 @@ int start(std::vector<std::string> command, int input, int errors, pid_t& proces
 
 }  // namespace
 
+void check_ending(const char* option, const std::filesystem::path& file, const char* ending) {
+  if (file.extension() == ending) return;
+  throw ldm::InvalidInput(std::string(option) + " " + file.string() + ": allowed: FILE" + ending);
+}
+
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height, double rate)
     : name_(file.string()), file_(file) {
   int ends[2];

@@ -10,6 +10,9 @@
 
 namespace experiments {
 
+/// @throws ldm::InvalidInput naming the option unless the file's name ends so
+void check_ending(const char* option, const std::filesystem::path& file, const char* ending);
+
 /// Encodes H.264, which browsers play, while pictures come.
 class VideoFile {
  public:

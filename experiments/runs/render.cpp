@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_ending(const char* option, const fs::path& file, const char* ending) {
-  if (file.extension() == ending) return;
-  throw ldm::InvalidInput(std::string(option) + " " + file.string() + ": allowed: FILE" + ending);
-}
-
 void check(const RenderRequest& request) {
   if (!request.output && !request.video) {
     throw ldm::InvalidInput(

@@ -35,3 +35,17 @@ def test_what_ffmpeg_cannot_write_fails_in_one_line(tmp_path: Path) -> None:
         "ldm: none/film.mp4: cannot be written (No such file or directory): "
         "allowed: a file in an existing folder\n"
     )
+
+
+def test_a_flight_is_filmed(tmp_path: Path) -> None:
+    film = tmp_path / "film.mp4"
+    command = [PROGRAM, "fly", "blind", "moving10_10", "--seed", "5", "-o", str(tmp_path / "out")]
+    subprocess.run([*command, "--video", str(film)], check=True)
+    probe = ["ffprobe", "-v", "error", "-show_streams", "-of", "json", str(film)]
+    answer = subprocess.run(probe, check=True, stdout=subprocess.PIPE).stdout
+    stream = json.loads(answer)["streams"][0]
+    assert (stream["codec_name"], stream["r_frame_rate"]) == ("h264", "10/1")
+    rows = (tmp_path / "out" / "flight.csv").read_text().splitlines()
+    ends = float(rows[-1].partition(",")[0])
+    # A picture for each scan until the end, which is shown for a second more.
+    assert int(stream["nb_frames"]) == int(ends * 10 - 1e-9) + 1 + 10

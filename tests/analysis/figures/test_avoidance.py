@@ -11,7 +11,8 @@ from analysis.data.command_line import run
 from analysis.data.records import load_study
 from analysis.figures import flown_world
 from analysis.figures.avoidance_figures import main, world_label
-from analysis.tables.avoidance_table import arms, success, success_frame, pair_frame
+from analysis.tables.avoidance_table import (
+    MEDIUM, arms, medium_pairs, medium_success, pair_frame, success, success_frame)  # fmt: skip
 
 SCORES = {"hit_static": 0, "hit_moving": 0, "hit_braking": 0, "timed_out": 0, "brakings": 1,
           "length_ratio": 1.05, "jerk_integral_mps2": 60, "least_clearance_m": 0.2, "barn": 0.5,
@@ -76,6 +77,21 @@ def test_writes_table_tests_and_figure(results, capsys):
         assert (folder / "tables" / name).stat().st_size > 100, name
     assert r"\texttt{circular\_buffer}" in (folder / "tables" / "avoidance.tex").read_text()
     assert matplotlib.image.imread(folder / "figures" / "avoidance.png").shape[1] == 2100
+
+
+def test_worlds_of_medium_difficulty_are_counted_together(tmp_path, capsys):
+    records = [flight(arm, "moving10_10", seed) | {"scenario": world, "id": f"{world}.{arm}.{seed}"}
+               for arm in ARRIVES for world in MEDIUM for seed in range(1, 11)]  # fmt: skip
+    study = load_study(write_records(tmp_path, records), "avoidance")
+    share = medium_success(study, "circular_buffer")
+    assert (share.mean, share.n) == (0.2, 20)
+    pair = medium_pairs(study).set_index(["a", "b"]).loc["ldm", "circular_buffer"]
+    assert (pair["only_a"], pair["only_b"], pair["seeds"]) == (16, 0, 20)
+    assert pair["p"] == pytest.approx(2 / 2**16)
+    # Smaller are blind against ldm and against oracle: third of 6.
+    assert pair["p_holm"] == pytest.approx(4 * 2 / 2**16)
+    assert run(main, ["--results", str(tmp_path)]) == 0
+    assert "20 [8, 42]" in capsys.readouterr().out
 
 
 def test_worlds_are_named_by_what_differs():

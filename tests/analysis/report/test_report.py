@@ -11,12 +11,14 @@ from record_files import TYPICAL_SCORES, make_record, make_series, write_records
 
 from analysis.report.__main__ import main, write_report
 from analysis.report.claims import counts, ledger
+from analysis.report.closed_loop import closed_loop_numbers, success_table
 from analysis.report.comparisons import NO, OPEN, PARTLY, YES, paired, verdict_on_order
 from analysis.report.evidence import Evidence
 from analysis.report.latex import code, missing, plain
 from analysis.report.open_points import alternatives, of_point, open_points
 from analysis.report.sensitivity import OTHER, SAME, sensitivity_table
 from analysis.report.sources import stale
+from analysis.tables.avoidance_table import COUNTS, MEANS, MEDIUM, VIOLATIONS
 from analysis.tables.orderings import Claim
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -188,6 +190,29 @@ def test_sensitivity_marks_the_paper_s_order_and_the_other(results):
     marks = {line.split(" & ")[0]: line.split(" & ")[2] for line in lines if line.startswith("Scen")}
     assert marks["Scenario 1, case 1 false voxels"] == SAME
     assert marks["Scenario 1, case 2 false voxels"] == OTHER
+
+
+def test_the_closed_loop_has_its_numbers_and_says_what_it_lacks(tmp_path):
+    times = {name: {"median": 1.25, "p95": 2.75} for name in ("plan_ms", "map_ms")}
+    rest = dict.fromkeys([*COUNTS, *VIOLATIONS, *MEANS], 0)
+    records = [
+        make_record(arm, seed, study="avoidance", scenario=world)
+        | {"scores": rest | {"success": int(seed <= arrive)}, "timing": times}
+        for arm, arrive in {"ldm": 10, "circular_buffer": 2}.items()
+        for world in MEDIUM for seed in range(1, 11)
+    ]  # fmt: skip
+    evidence = Evidence(write_records(tmp_path / "results", records))
+    found = closed_loop_numbers(evidence)
+    assert found["avoidance.medium.circular_buffer"] == r"20\,\% \bounds{8}{42}"
+    assert found["avoidance.medium.ldm.circular_buffer"] == r"$p$ $<$0.001"
+    assert (found["avoidance.pairs"], found["avoidance.pairs.differ"]) == ("2", "2")
+    assert found["avoidance.plan.p95"] in ("2.7", "2.8")
+    assert found["avoidance.medium.oracle"] == "--"
+    assert "moving10" in success_table(evidence, "caption")
+    nothing = closed_loop_numbers(Evidence(tmp_path))
+    assert nothing.keys() == found.keys()
+    assert nothing["avoidance.medium.ldm"] == missing("avoidance")
+    assert "make avoidance" in success_table(Evidence(tmp_path), "caption")
 
 
 def test_shortened_trials_stand_in_until_full_ones_exist(tmp_path):

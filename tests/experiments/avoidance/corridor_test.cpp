@@ -97,6 +97,14 @@ TEST(Corridor, RefusesOtherScenarios) {
       << error(people);
 }
 
+TEST(Corridor, RefusesAGoalAtTheStart) {
+  datasets::Scenario scenario = world("still8");
+  scenario.uav.timetable.back().place =
+      scenario.uav.timetable.front().place + Eigen::Vector3d(0.75, 0, 0);
+  EXPECT_EQ(tests::message_of<ldm::InvalidInput>([&] { draw_corridor(scenario, 1); }),
+            "world still8: uav.timetable_s_m: 0.75 m from start to goal: allowed: at least 1 m");
+}
+
 TEST(Corridor, SaysWhereThereIsNoRoom) {
   datasets::Scenario full = world("still8");
   datasets::set_scenario_value(full, "groups.still.count", "300");

@@ -28,6 +28,13 @@ class FlightStudyTest : public Program {
     text.replace(text.find(part), part.size(), replacement);
     return tests::message_of<ldm::InvalidInput>([&] { read(text); });
   }
+  /// The world `still8` with one part of its file replaced, as another file.
+  void write_world(const std::string& name, const std::string& part, const std::string& other) {
+    std::string text =
+        folder_.read(tests::source_folder() / "datasets" / "corridors" / "still8.toml");
+    text.replace(text.find(part), part.size(), other);
+    folder_.write(name, text);
+  }
   /// The record's text up to its timing.
   std::string record(const std::string& id) {
     const std::string file = (folder_.path() / "record.json").string();
@@ -156,6 +163,37 @@ TEST_F(FlightStudyTest, FliesOnceWithALog) {
              "--set: flight.delay_s = 2: allowed: a number in [0, 1]");
   expect_bad("fly oracle still8 -o flown --set particles.count=9",
              "--set: particles.count = 9: allowed: values that the arm oracle uses");
+}
+
+/// Of a fake that keeps what it is fed: one picture a scan, and the last for a second more.
+TEST_F(FlightStudyTest, FilmsAFlight) {
+  const std::filesystem::path fake =
+      folder_.write("bin/ffmpeg",
+                    "#!/bin/sh\necho \"$@\" > arguments\ncat > pixels\n"
+                    "echo film > \"$(eval echo \\${$#})\"\n");
+  std::filesystem::permissions(fake, std::filesystem::perms::owner_all);
+  write_world("short.toml", "frames = 400", "frames = 6");
+  const Result flown = ldm("fly blind short.toml -o flown --video a.mp4", "PATH=$PWD/bin:$PATH");
+  EXPECT_EQ(flown.code, 0) << flown.error;
+  EXPECT_EQ(folder_.read("a.mp4"), "film\n");
+  EXPECT_NE(folder_.read("arguments").find("-s 1280x720 -r 10 -i -"), std::string::npos);
+  const std::string pixels = folder_.read("pixels");
+  constexpr std::size_t kPicture = 1280UL * 720 * 3;
+  ASSERT_EQ(pixels.size(), (6 + 10) * kPicture);
+  const auto picture = [&](std::size_t i) { return pixels.substr(i * kPicture, kPicture); };
+  EXPECT_NE(picture(0), picture(5));
+  EXPECT_NE(picture(5), picture(6)) << "how it ended is added";
+  EXPECT_EQ(picture(6), picture(15));
+}
+
+TEST_F(FlightStudyTest, RefusesBadFilms) {
+  expect_bad("fly blind still8 -o flown --video a.avi", "--video a.avi: allowed: FILE.mp4");
+  expect_bad("fly blind still8 -o flown --video none/a.mp4", "none/a.mp4: cannot be written");
+  const Result without = ldm("fly blind still8 -o flown --video a.mp4", "PATH=/none");
+  EXPECT_EQ(without.code, 2);
+  EXPECT_NE(without.error.find("--video a.mp4: there is no ffmpeg"), std::string::npos);
+  EXPECT_FALSE(exists("a.mp4"));
+  EXPECT_FALSE(exists("flown/flight.csv"));
 }
 
 }  // namespace

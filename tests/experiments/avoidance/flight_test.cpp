@@ -79,6 +79,7 @@ TEST(Flight, EndsAtOnceWhereTheStartIsInsideAnObstacle) {
   EXPECT_EQ(flight.outcome, Outcome::kHitStatic);
   EXPECT_EQ(flight.samples.size(), 1U);
   EXPECT_EQ(flight.samples.back().time, 0);
+  EXPECT_EQ(flight.map_ms.size(), 1U) << "its record has times, too";
 }
 
 TEST(Flight, TimesOutBeforeAGoalInsideAnObstacle) {

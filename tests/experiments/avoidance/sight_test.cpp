@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace experiments {
@@ -123,6 +124,30 @@ TEST(TrueSight, LetsWhatMovesGoOn) {
   EXPECT_NEAR(around.movers[0].centre[1].x(), 3, 0.02);
   EXPECT_EQ(around.movers[0].doubt[1], 0);
   EXPECT_NEAR(around.from_still({0, 1.0, 1}).value, 0.3, 0.15) << "within a voxel";
+}
+
+/// The window of the default parameters is 4.8 m wide: both are in it, one cannot be 5 m away.
+TEST(TrueSight, DrawsWhatItKnowsAsAMap) {
+  std::vector<datasets::Obstacle> obstacles = turning_and_standing();
+  obstacles.push_back({2, obstacles[1].body, 0, datasets::ObstacleMotion({0, 5}, 0)});
+  datasets::Frame frame;
+  frame.scan.T_world_uav.translation = {0, 0, 1};
+  frame.truth.emplace();
+  frame.truth->objects.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) obstacles[i].state_at(1, frame.truth->objects[i]);
+  const auto sight = true_sight({}, obstacles, false, {});
+  sight->see(frame);
+  const ldm::LocalMap map = sight->map();
+  ASSERT_EQ(map.clusters.size(), 2U);
+  EXPECT_TRUE(map.clusters[0].dynamic);
+  EXPECT_NEAR(map.clusters[0].velocity.x(), 1, 1e-3);
+  EXPECT_FALSE(map.clusters[1].dynamic);
+  const std::size_t inside = map.window.index(ldm::voxel_at({0, 1.5, 1}, map.resolution));
+  EXPECT_EQ(map.labels[inside], 1);
+  EXPECT_TRUE(ldm::is_occupied(map.occupancy[inside]));
+  const auto solid = std::count(map.labels.begin(), map.labels.end(), 1);
+  EXPECT_EQ(map.clusters[1].voxels, solid);
+  EXPECT_EQ(map.labels[map.window.index(ldm::voxel_at({0, -1, 1}, map.resolution))], -1);
 }
 
 TEST(TrueSight, OfTheFutureKnowsThatItTurns) {

@@ -99,6 +99,17 @@ TEST(Picture, CubesStandWhereTheCameraSeesThem) {
   EXPECT_LT(red.pixels, 1.9 * edge * edge);
 }
 
+TEST(Picture, PathsAreBallsWhereTheCameraSeesThem) {
+  Picture picture = empty_map();
+  picture.paths = {{{{0.9F, -1.2F, 0.6F}}, {220, 0, 0}, ""}, {{}, {0, 200, 0}, ""}};
+  const PictureCamera camera = camera_of(picture);
+  const PictureFile file(picture);
+  const Vector2d place = camera.pixel({0.9, -1.2, 0.6});
+  const auto pixel = [](double along) { return static_cast<int>(std::lround(along)); };
+  EXPECT_TRUE(reddish(file.at(pixel(place.x()), pixel(place.y()))));
+  EXPECT_GT(file.patch(greenish).pixels, 20) << "an empty path is in the legend, too";
+}
+
 TEST(Picture, ANearCubeHidesMostOfAFarOne) {
   Picture picture = empty_map();
   picture.cube_edge = 0.3;

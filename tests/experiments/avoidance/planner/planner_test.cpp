@@ -2,75 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 namespace experiments {
 namespace {
-
-using datasets::BasisWeights;
-
-/// The residuals of a cost at four control points that all stand at p: the curve is p as well.
-Eigen::Vector3d residuals_at(const SampleCost& cost, const std::array<Eigen::Vector3d, 4>& q,
-                             Eigen::Matrix<double, 3, 12>* jacobian = nullptr) {
-  const double* blocks[4];
-  for (std::size_t i = 0; i < 4; ++i) blocks[i] = q[i].data();
-  Eigen::Vector3d residuals;
-  std::array<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 4> parts;
-  double* pointers[4];
-  for (std::size_t i = 0; i < 4; ++i) pointers[i] = parts[i].data();
-  cost.Evaluate(blocks, residuals.data(), pointers);
-  if (jacobian != nullptr) {
-    for (int i = 0; i < 4; ++i) jacobian->middleCols<3>(3 * i) = parts[static_cast<std::size_t>(i)];
-  }
-  return residuals;
-}
-
-/// A wall of voxels at x in [0, 0.15) and a box of half edges 0.5 around (0, 3, 1.5).
-Surroundings wall_and_box() {
-  Surroundings around;
-  const ldm::VoxelBox window{{0, -20, 0}, {20, 40, 20}};
-  std::vector<std::uint8_t> occupied(window.count());
-  for (std::size_t i = 0; i < window.count(); ++i) occupied[i] = window.voxel(i).x() == 0 ? 1 : 0;
-  around.still.build(window, 0.15, occupied);
-  around.movers = {{{0.5, 0.5, 0.5}, {{2, 2, 1.5}}, {0}}};
-  return around;
-}
-
-TEST(SampleCost, IsTheDepthTimesItsScale) {
-  const Surroundings around = wall_and_box();
-  const BasisWeights basis = datasets::basis_weights(0.1, 0.2, 1, datasets::Derivative::kPosition);
-  const SampleCost cost(basis, around, 0, 0.8, {1, 2}, 3);
-  const auto at = [&](const Eigen::Vector3d& p) { return residuals_at(cost, {p, p, p, p}); };
-  // 0.5 m from the centres of the wall, 0.925 m from the box, within the band.
-  EXPECT_NEAR((at({0.575, 2, 1.5}) - Eigen::Vector3d(3 * 0.3, 0, 0)).norm(), 0, 1e-5);
-  // 1.125 m from the wall, 0.3 m from the box, 0.25 m above the band.
-  EXPECT_NEAR((at({1.2, 2, 1.8}) - Eigen::Vector3d(0, 3 * 0.5, 0)).norm(), 0, 1e-5);
-  EXPECT_NEAR((at({1.2, -2, 2.25}) - Eigen::Vector3d(0, 0, 3 * 0.25)).norm(), 0, 1e-5);
-  EXPECT_NEAR((at({1.2, -2, 0.75}) - Eigen::Vector3d(0, 0, -3 * 0.25)).norm(), 0, 1e-5);
-}
-
-TEST(SampleCost, HasTheGradientOfItsValue) {
-  const Surroundings around = wall_and_box();
-  const BasisWeights basis = datasets::basis_weights(0.07, 0.2, 1, datasets::Derivative::kPosition);
-  const SampleCost cost(basis, around, 0, 1.4, {1, 1.6}, 3);
-  std::array<Eigen::Vector3d, 4> q = {
-      Eigen::Vector3d(0.9, 1.2, 1.6), {1.0, 1.3, 1.7}, {1.1, 1.25, 1.8}, {1.2, 1.2, 1.9}};
-  Eigen::Matrix<double, 3, 12> jacobian;
-  const Eigen::Vector3d here = residuals_at(cost, q, &jacobian);
-  ASSERT_TRUE((here.array() != 0).all()) << "each term must count here";
-  constexpr double kStep = 1e-5;
-  for (int column = 0; column < 12; ++column) {
-    double& coordinate = q[static_cast<std::size_t>(column / 3)][column % 3];
-    const double kept = coordinate;
-    coordinate = kept + kStep;
-    const Eigen::Vector3d up = residuals_at(cost, q);
-    coordinate = kept - kStep;
-    const Eigen::Vector3d down = residuals_at(cost, q);
-    coordinate = kept;
-    EXPECT_NEAR((jacobian.col(column) - (up - down) / (2 * kStep)).norm(), 0, 1e-3);
-  }
-}
 
 constexpr double kEdge = 0.15;
 
