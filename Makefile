@@ -233,8 +233,11 @@ scripts_timing = figures.computation_time
 scripts_outdoor = figures.outdoor_figures
 scripts_avoidance = figures.avoidance_figures
 scripts_avoidance_trust = figures.avoidance_figures tables.trust_table
+# Scores of a sweep, where they are not the usual ones.
+shown_ghosts = --scores ghost_voxels_per_frame,seconds_to_clear,case1_visible_voxels,iou_visible
 define draw
-$(foreach script,$(or $(scripts_$(call stem,$(STUDY))),figures.sweep_figure),$(call analyse,$(script),$(STUDY)) && ) true
+$(foreach script,$(or $(scripts_$(call stem,$(STUDY))),figures.sweep_figure),$(call \
+  analyse,$(script),$(STUDY)) $(shown_$(call stem,$(STUDY))) && ) true
 endef
 
 # Lines of input, JOBS at a time: each in place of {}, or the words of each as arguments.

@@ -52,6 +52,8 @@ _SCORES = (
     Score("f1", "F1", "", "higher", 3, 0.01),
     Score("iou_visible", "IoU, visible truth", "", "higher", 3, 0.01),
     Score("brier", "Brier score", "", "lower", 4, 0.001),
+    Score("ghost_voxels_per_frame", "ghost voxels", "per frame", "lower", 1, 1.0),
+    Score("seconds_to_clear", "time until 90% is cleared", "s", "lower", 2, 0.1),
     Score("static_velocity_error_mps", "static velocity error", "m/s", "lower", 3, 0.005),
     Score("dynamic_velocity_error_mps", "dynamic velocity error", "m/s", "lower", 3, 0.015),
     Score("static_velocity_error_steady_mps", "static error, steady", "m/s", "lower", 3, 0.005),

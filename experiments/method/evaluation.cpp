@@ -23,11 +23,13 @@ class Scorer {
     if (!tallies_) tallies_.emplace();
     grid_.fill(*frame.truth, map.window, map.resolution);
     tallies_->occupancy.add(map, grid_);
+    tallies_->ghosts.add(frame.scan.time, map, grid_);
     if (velocities_) add_velocities(frame, map);
   }
 
   std::optional<Tallies> finish() {
     if (tallies_) {
+      tallies_->ghosts.finish();
       tallies_->velocity.finish();
       tallies_->identity.finish();
     }

@@ -58,6 +58,12 @@ Value iou_visible(const Tallies& t) {
 Value brier(const Tallies& t) {
   return ratio(t.occupancy.squared_error, static_cast<double>(t.occupancy.known));
 }
+Value ghosts(const Tallies& t) {
+  return ratio(t.ghosts.ghosts(), t.ghosts.frames());
+}
+Value time_to_clear(const Tallies& t) {
+  return t.ghosts.time_to_clear();
+}
 Value static_error(const Tallies& t) {
   return t.velocity.error(false).value();
 }
@@ -108,6 +114,8 @@ constexpr Score kScores[] = {
     {"f1", f1},
     {"iou_visible", iou_visible},
     {"brier", brier},
+    {"ghost_voxels_per_frame", ghosts},
+    {"seconds_to_clear", time_to_clear},
     {"static_velocity_error_mps", static_error},
     {"dynamic_velocity_error_mps", dynamic_error},
     {"static_velocity_error_steady_mps", static_steady},

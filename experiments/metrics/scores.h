@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "experiments/metrics/ghost_score.h"
 #include "experiments/metrics/identity_score.h"
 #include "experiments/metrics/occupancy_score.h"
 #include "experiments/metrics/velocity_score.h"
@@ -12,6 +13,7 @@ namespace experiments {
 
 struct Tallies {
   OccupancyTally occupancy;
+  GhostTally ghosts;
   VelocityTally velocity;  ///< stays empty for a method without clusters
   IdentityTally identity;  ///< the same
 };

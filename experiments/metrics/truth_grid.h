@@ -26,6 +26,9 @@ class TruthGrid {
   /// True if a noise-free ray hits the voxel. Requires v in the window.
   bool visible(const ldm::VoxelIndex& v) const { return visible_[window_.index(v)] != 0; }
 
+  /// Voxels of the window that objects hold which move at some time.
+  const std::vector<ldm::VoxelIndex>& moving() const { return moving_; }
+
   /// The objects that own v or one of its 26 neighbours; the first `count` are valid.
   struct Near {
     std::array<std::int32_t, 27> objects;
@@ -35,11 +38,14 @@ class TruthGrid {
   Near objects_near(const ldm::VoxelIndex& v) const;
 
  private:
+  void find_moving(const datasets::Truth& truth, double resolution);
+
   ldm::VoxelBox window_;
   ldm::VoxelBox padded_;  ///< one voxel wider all round: objects beside the window count as near
   std::size_t objects_ = 0;
   std::vector<std::int32_t> owner_;
   std::vector<std::uint8_t> visible_;
+  std::vector<ldm::VoxelIndex> moving_;
 };
 
 }  // namespace experiments

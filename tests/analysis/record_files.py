@@ -21,6 +21,8 @@ TYPICAL_SCORES = {
     "f1": 0.79,
     "iou_visible": 0.61,
     "brier": 0.01,
+    "ghost_voxels_per_frame": 12.5,
+    "seconds_to_clear": 0.8,
     "static_velocity_error_mps": 0.02,
     "dynamic_velocity_error_mps": 0.3,
     "static_velocity_error_steady_mps": 0.02,

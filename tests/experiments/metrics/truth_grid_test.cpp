@@ -21,6 +21,18 @@ TEST(TruthGrid, KnowsSolidAndVisibleVoxels) {
   EXPECT_FALSE(grid.visible({1, 1, 1}));
 }
 
+TEST(TruthGrid, ListsTheVoxelsOfWhatMoves) {
+  datasets::Truth truth;
+  truth.objects = {box_object(0, {1, 1, 1}, {2, 1, 1}), box_object(1, {2, 1, 1}, {3, 1, 1}),
+                   box_object(2, {4, 4, 3}, {9, 9, 3}), box_object(3, {0, -5, 0}, {0, -5, 0})};
+  truth.objects[0].dynamic = false;
+  for (std::size_t i = 1; i < 4; ++i) truth.objects[i].dynamic = true;
+  TruthGrid grid;
+  grid.fill(truth, {{0, 0, 0}, {5, 5, 5}}, 1);
+  // (2, 1, 1) belongs to the object that stands still.
+  EXPECT_EQ(grid.moving(), (std::vector<ldm::VoxelIndex>{{3, 1, 1}, {4, 4, 3}}));
+}
+
 TEST(TruthGrid, NearIsTheVoxelAndItsTwentySixNeighbours) {
   datasets::Truth truth;
   truth.objects = {box_object(0, {1, 1, 1}, {1, 1, 1}), box_object(1, {3, 1, 1}, {3, 1, 1})};
