@@ -44,9 +44,22 @@ ScanFilter::ScanFilter(std::unique_ptr<FrameSource> source, const InputParameter
 
 bool ScanFilter::next(Frame& frame) {
   if (!source_->next(frame)) return false;
+  if (parameters_.no_returns == NoReturns::kPattern) find_no_returns(frame.scan);
   drop_out_of_place(frame.scan);
   if (ground_) drop_ground(frame.scan);
   return true;
+}
+
+void ScanFilter::find_no_returns(ldm::Scan& scan) {
+  if (scan.no_returns.empty() && !missing_rays_.find(scan.points, scan.no_returns)) {
+    ++counts_.no_pattern;
+  }
+  for (const ldm::Point& p : scan.points) {
+    const double range = p.cast<double>().norm();
+    if (std::isfinite(range) && range > parameters_.max_range) {
+      scan.no_returns.push_back((p.cast<double>() / range).cast<float>());
+    }
+  }
 }
 
 void ScanFilter::drop_out_of_place(ldm::Scan& scan) {
@@ -95,6 +108,7 @@ InputCounts ScanFilter::counts() const {
   add(counts.points_dropped, "farther than input.max_range_m", counts_.far);
   add(counts.points_dropped, "on the vehicle", counts_.on_vehicle);
   add(counts.points_dropped, "on the ground", counts_.on_ground);
+  add(counts.other, "scans whose pattern of rays is not certain", counts_.no_pattern);
   add(counts.other, InputCounts::kNoGround, counts_.no_ground);
   return counts;
 }

@@ -8,32 +8,37 @@
 
 #include "datasets/frame.h"
 #include "datasets/recording/filter/ground_removal.h"
+#include "datasets/recording/rays/missing_rays.h"
 #include "datasets/recording/scans/input_parameters.h"
 
 namespace datasets {
 
-/// Another source's frames, with fewer points.
+/// Another source's frames, with fewer points, and rays without a return that it does not have.
 class ScanFilter : public FrameSource {
  public:
   ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters);
 
-  /// Points keep their order. Rays that end on the ground join `no_returns` if
-  /// input.ground.rays = free.
+  /// Points keep their order. To `no_returns` come rays to points beyond input.max_range_m and, if
+  /// the source has none, those that MissingRays finds, unless input.no_returns = log; and those
+  /// that end on the ground, if input.ground.rays = free.
   bool next(Frame& frame) override;
   std::optional<std::int64_t> size() const override { return source_->size(); }
   /// The source's, and points by the reason for which they were dropped.
   InputCounts counts() const override;
 
  private:
+  void find_no_returns(ldm::Scan& scan);
   void drop_out_of_place(ldm::Scan& scan);
   void drop_ground(ldm::Scan& scan);
 
   std::unique_ptr<FrameSource> source_;
   InputParameters parameters_;
+  MissingRays missing_rays_;
   std::optional<GroundFinder> ground_;
   std::vector<std::uint8_t> is_ground_;
   struct Counts {
-    std::int64_t not_finite = 0, near = 0, far = 0, on_vehicle = 0, on_ground = 0, no_ground = 0;
+    std::int64_t not_finite = 0, near = 0, far = 0, on_vehicle = 0, on_ground = 0, no_ground = 0,
+                 no_pattern = 0;
   } counts_;
 };
 

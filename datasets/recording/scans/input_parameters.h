@@ -49,6 +49,13 @@ enum class GroundRays {
 };
 inline constexpr std::string_view kGroundRaysNames[] = {"free", "drop"};
 
+/// Where the rays come from that met nothing, of which most recordings say nothing.
+enum class NoReturns {
+  kPattern,  ///< found in the sensor's pattern where that is certain (see MissingRays)
+  kLog,      ///< the recording alone
+};
+inline constexpr std::string_view kNoReturnsNames[] = {"pattern", "log"};
+
 /// What a 0 in the range image of an MRPT rotating scan says.
 enum class ZeroRanges { kNothing, kNoReturn };
 inline constexpr std::string_view kZeroRangesNames[] = {"nothing", "no_return"};
@@ -87,6 +94,7 @@ struct InputParameters {
   SensorMountParameters sensor;
   BodyParameters body;
   double min_range = 0.5, max_range = 1000;  // [m]
+  NoReturns no_returns = NoReturns::kPattern;
   GroundParameters ground;
   RotatingScanParameters rotating;
 };
@@ -144,6 +152,11 @@ void visit_parameters(
         p.min_range);
   visit(Info{"input.max_range_m", "", "m", 0.1, 100000, kSource, "farther points are left out"},
         p.max_range);
+
+  visit(Info{"input.no_returns", "", "", 0, 1, kSource,
+             "rays without a return: found by the sensor's pattern where that is certain, or those "
+             "of the recording alone"},
+        p.no_returns, kNoReturnsNames);
 
   visit(Info{"input.ground.removal", "", "", 0, 2, "Sec. 4.2.1, way assumed",
              "how the ground is found, whose points are left out"},

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "tests/text_file.h"
 
@@ -99,7 +101,57 @@ TEST(ScanFilter, AFrameWithoutGroundIsCountedAndStaysWhole) {
   const Filtered result = filtered(scan, parameters);
   EXPECT_EQ(result.scan.points.size(), 2u);
   EXPECT_EQ(result.counts.other,
-            (InputCounts::ByReason{{"frames in which no ground was found", 1}}));
+            (InputCounts::ByReason{{"frames in which no ground was found", 1},
+                                   {"scans whose pattern of rays is not certain", 1}}));
+}
+
+/// Eight rings of 360 firings at 10 m, without those that meet nothing: 0 to 29 degrees.
+ldm::Scan scan_with_a_gap() {
+  ldm::Scan scan;
+  for (int i = 0; i < 8 * 360; ++i) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    const double elevation = kDegree * (i / 360 - 3), azimuth = kDegree * (i % 360);
+    if (i % 360 < 30) continue;
+    scan.points.push_back(
+        (10 * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                              std::cos(elevation) * std::sin(azimuth), std::sin(elevation)))
+            .cast<float>());
+  }
+  return scan;
+}
+
+TEST(ScanFilter, RaysWithoutAReturnAreFoundUnlessTheRecordingHasThem) {
+  ldm::Scan scan = scan_with_a_gap();
+  InputParameters parameters;
+  const Filtered result = filtered(scan, parameters);
+  EXPECT_EQ(result.scan.no_returns.size(), 8u * 30);
+  EXPECT_EQ(result.scan.points.size(), 8u * 330);
+  EXPECT_TRUE(result.counts.other.empty());
+  parameters.no_returns = NoReturns::kLog;
+  EXPECT_TRUE(filtered(scan, parameters).scan.no_returns.empty());
+  parameters.no_returns = NoReturns::kPattern;
+  scan.no_returns = {{0, 0, 1}};
+  EXPECT_EQ(filtered(scan, parameters).scan.no_returns, scan.no_returns);
+}
+
+// What is left out as too near, or on the vehicle, returned all the same.
+TEST(ScanFilter, APointThatIsLeftOutIsNoRayWithoutAReturn) {
+  InputParameters parameters;
+  parameters.min_range = 20;
+  const Filtered result = filtered(scan_with_a_gap(), parameters);
+  EXPECT_TRUE(result.scan.points.empty());
+  EXPECT_EQ(result.scan.no_returns.size(), 8u * 30);
+}
+
+TEST(ScanFilter, ARayToAPointOutOfRangeIsFree) {
+  ldm::Scan scan;
+  scan.points = {{3, 0, 4}, {0, 6, 0}, {1e30F, 0, 0}, {NAN, 0, 0}};
+  InputParameters parameters;
+  parameters.max_range = 5.5;
+  EXPECT_EQ(filtered(scan, parameters).scan.no_returns,
+            (std::vector<ldm::Point>{{0, 1, 0}, {1, 0, 0}}));
+  parameters.no_returns = NoReturns::kLog;
+  EXPECT_TRUE(filtered(scan, parameters).scan.no_returns.empty());
 }
 
 TEST(ScanFilter, BoundsThatCross) {

@@ -23,7 +23,7 @@ TEST(InputParameters, EveryOneHasANameAndReadsBack) {
     set_parameter(copy, name, get_parameter(parameters, name));
     EXPECT_EQ(get_parameter(copy, name), get_parameter(parameters, name));
   });
-  EXPECT_EQ(names.size(), 29u);
+  EXPECT_EQ(names.size(), 30u);
   EXPECT_FALSE(is_input_parameter("map.voxels"));
 }
 
