@@ -23,7 +23,7 @@ TEST_F(Program, ListsWhatThereIs) {
 
 TEST_F(Program, EveryHelpHasAnExample) {
   for (const char* command : {"methods", "scenarios", "parameters", "studies", "trials", "trial",
-                              "simulate", "run", "score", "render", "view", "fly"}) {
+                              "info", "simulate", "run", "score", "render", "view", "fly"}) {
     const Result result = ldm(std::string(command) + " --help");
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("Example: ldm " + std::string(command)), std::string::npos)

@@ -1,4 +1,4 @@
-#include "experiments/listings_json.h"
+#include "experiments/commands/listings_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
-#include "experiments/completion.h"
+#include "experiments/commands/completion.h"
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include "datasets/recording/recording.h"
-#include "experiments/listings.h"
+#include "experiments/commands/listings.h"
 #include "experiments/method/methods.h"
 #include "experiments/method/parameter_list.h"
 

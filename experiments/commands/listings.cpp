@@ -1,4 +1,4 @@
-#include "experiments/listings.h"
+#include "experiments/commands/listings.h"
 
 #include <algorithm>
 #include <vector>
@@ -6,7 +6,7 @@
 #include "datasets/recording/recording_info.h"
 #include "datasets/scenario/scenario.h"
 #include "experiments/avoidance/flight_study.h"
-#include "experiments/listings_json.h"
+#include "experiments/commands/listings_json.h"
 #include "experiments/method/methods.h"
 #include "experiments/study/study_json.h"
 
