@@ -164,6 +164,12 @@ test-arm: ## ldm/ and its tests, built for 64-bit ARM and run under an emulator:
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) \
 	  | sed '/Passed\|^ *Start/d'
 
+.PHONY: test-container
+test-container: BUILD = build-container
+test-container: ## the Dockerfile's steps, then `make smoke`, in a bare Debian below build-container/; as root
+	$(call install,tests/container/apt-packages.txt)
+	@$(PYTHON) tests/container/run_steps.py $(BUILD) make smoke
+
 # Clang's runtime for fuzzing is not among the packages that building needs.
 fuzz_targets = pcd trajectory kitti mrpt_log ros1_bag mcap_bag sqlite_bag
 .PHONY: fuzz
@@ -394,7 +400,7 @@ include paper/paper.mk
 
 .PHONY: clean
 clean: ## delete what was built; results stay
-	rm -rf build build-native build-fuzz build-arm build-rev .pytest_cache
+	rm -rf build build-native build-fuzz build-arm build-rev build-container .pytest_cache
 	git worktree prune 2>/dev/null || true  # without git there are none
 	find analysis experiments tests -name __pycache__ -prune -exec rm -rf {} +
 
