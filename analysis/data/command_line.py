@@ -35,6 +35,17 @@ def name_list(text: str) -> list[str]:
     return text.replace(",", " ").split()
 
 
+def add_scores(made: argparse.ArgumentParser, default: Sequence[str], purpose: str) -> None:
+    """Give a parser --scores, which are there `purpose`: to show, to compare."""
+    made.add_argument(
+        "--scores",
+        type=name_list,
+        default=list(default),
+        metavar="NAMES",
+        help=f"scores {purpose} (default: {', '.join(default)})",
+    )
+
+
 def report_notes(study: Study) -> None:
     """Print what the study lacks on stderr: a table with gaps never goes unannounced."""
     for note in study.notes:

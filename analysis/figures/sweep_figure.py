@@ -20,7 +20,7 @@ from typing import Sequence
 import pandas as pd
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import name_list, parser, report_notes, run
+from analysis.data.command_line import add_scores, parser, report_notes, run
 from analysis.data.errors import InputError
 from analysis.data.output import write_csv, write_text
 from analysis.data.records import Study, load_study
@@ -101,13 +101,7 @@ def draw(study: Study, table: pd.DataFrame, scores: list[Score], stem: Path) -> 
 def main(argv: Sequence[str] | None = None) -> None:
     """Make figure and table of one study."""
     args_parser = parser(__doc__, study="ablation")
-    args_parser.add_argument(
-        "--scores",
-        type=name_list,
-        default=list(MAIN_SCORES),
-        metavar="NAMES",
-        help=f"scores to show (default: {', '.join(MAIN_SCORES)})",
-    )
+    add_scores(args_parser, MAIN_SCORES, "to show")
     args = args_parser.parse_args(argv)
     scores = find_scores(args.scores)
     study = load_study(args.results, args.study)

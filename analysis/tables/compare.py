@@ -22,7 +22,7 @@ from typing import Sequence
 
 import pandas as pd
 
-from analysis.data.command_line import name_list, parser, report_notes, run
+from analysis.data.command_line import add_scores, name_list, parser, report_notes, run
 from analysis.data.output import write_csv, write_text
 from analysis.data.records import Study, load_study
 from analysis.data.scores import SCORES, Score, find_scores
@@ -187,13 +187,7 @@ def main(argv: Sequence[str] | None = None) -> None:
         metavar="NAMES",
         help="methods to hold against every other one (default: each pair of all methods)",
     )
-    args_parser.add_argument(
-        "--scores",
-        type=name_list,
-        default=list(DEFAULT_SCORES),
-        metavar="NAMES",
-        help=f"scores to compare (default: {', '.join(DEFAULT_SCORES)})",
-    )
+    add_scores(args_parser, DEFAULT_SCORES, "to compare")
     args = args_parser.parse_args(argv)
     scores = find_scores(args.scores)
     study = load_study(args.results, args.study, args.methods or ())

@@ -21,6 +21,10 @@ std::string joined(const Words& words, std::string_view separator = ", ") {
 /// What stands between the separators; at least one word, which may be empty.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Takes the next word from `rest`; blanks, tabs and carriage returns part words. Empty if none is
+/// left.
+std::string_view next_word(std::string_view& rest);
+
 /// Shortest decimal that reads back to the same bits.
 std::string decimal(double value);
 /// With so many digits after the point.

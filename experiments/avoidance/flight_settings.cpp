@@ -1,8 +1,8 @@
 #include "experiments/avoidance/flight_settings.h"
 
-#include <charconv>
 #include <string>
 
+#include "datasets/files/text.h"
 #include "datasets/files/toml_reader.h"
 
 namespace experiments {
@@ -20,10 +20,8 @@ struct Setter {
   void operator()(std::string_view name, double& value, double min, double max) {
     if (name != setting.name) return;
     found = true;
-    const char* const end = setting.value.data() + setting.value.size();
     double number = 0;
-    const auto [read, error] = std::from_chars(setting.value.data(), end, number);
-    if (error != std::errc() || read != end || !(number >= min && number <= max)) {
+    if (!datasets::parse_number(setting.value, number) || !(number >= min && number <= max)) {
       refuse(setting, datasets::within("a number", datasets::Numbers{min, max}));
     }
     value = number;

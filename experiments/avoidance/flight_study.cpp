@@ -1,9 +1,9 @@
 #include "experiments/avoidance/flight_study.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
+#include "datasets/files/at_place.h"
 #include "datasets/files/partial_file.h"
 #include "datasets/files/text.h"
 #include "datasets/files/toml_reader.h"
@@ -14,17 +14,8 @@
 namespace experiments {
 namespace {
 
+using datasets::at_place;
 using datasets::TomlTable;
-
-/// Runs `action`; what it throws on bad input begins with that place then.
-template <class Action>
-void at_place(const std::string& place, Action action) {
-  try {
-    action();
-  } catch (const ldm::InvalidInput& error) {
-    throw ldm::InvalidInput(place + ": " + error.what());
-  }
-}
 
 void read_worlds(const TomlTable& file, const DataFolder& corridors, FlightStudy& study) {
   for (const std::string& name : file.texts("worlds", {.min = 1})) {
@@ -100,20 +91,6 @@ std::uint64_t corridor_seed(const datasets::Scenario& world, std::int64_t replic
   return datasets::hash({"corridor", world.name, std::to_string(replicate)});
 }
 
-/// The same for the same trial, however it was asked for.
-std::string repeating_command(const TrialRequest& request, const FlightStudy& study) {
-  std::vector<std::string> words = {"ldm"};
-  if (request.data_dir) words.insert(words.end(), {"--data-dir", *request.data_dir});
-  for (const std::string& file : request.plugins) words.insert(words.end(), {"--plugin", file});
-  words.insert(words.end(),
-               {"trial", request.study, request.id, "--seeds", std::to_string(study.seeds),
-                "--frames", std::to_string(study.frames), "-o", request.id + ".json"});
-  for (const std::string& method : request.options.methods) {
-    words.insert(words.end(), {"--method", method});
-  }
-  return datasets::command_line(words);
-}
-
 /// Flies it; what is thrown on the way becomes its error.
 void fly_trial(FlightRecord& record) {
   try {
@@ -161,11 +138,9 @@ std::vector<FlightTrial> flight_trials(const FlightStudy& study) {
     for (std::size_t world = 0; world < study.worlds.size(); ++world) {
       for (std::size_t point = 0; point < study.points.size(); ++point) {
         for (std::size_t arm = 0; arm < study.arms.size(); ++arm) {
-          char of_point[32] = "", of_seed[32];
-          if (swept) std::snprintf(of_point, sizeof of_point, ".p%02zu", point + 1);
           const std::int64_t replicate = study.first_seed + k;
-          std::snprintf(of_seed, sizeof of_seed, ".s%03lld", static_cast<long long>(replicate));
-          all.push_back({study.worlds[world].name + "." + study.arms[arm] + of_point + of_seed,
+          all.push_back({trial_id(study.worlds[world].name, study.arms[arm],
+                                  swept ? std::optional(point) : std::nullopt, replicate),
                          world, arm, point, replicate});
         }
       }
@@ -210,12 +185,9 @@ std::optional<std::string> run_flight_trial(const TrialRequest& request,
   const std::vector<FlightTrial> all = flight_trials(study);
   const auto trial = std::find_if(all.begin(), all.end(),
                                   [&](const FlightTrial& t) { return t.id == request.id; });
-  if (trial == all.end()) {
-    throw ldm::InvalidInput("study " + study.name + " has no trial " + request.id +
-                            ": allowed: an id that `ldm trials " + study.name + "` lists");
-  }
+  if (trial == all.end()) refuse_trial(study.name, request.id);
   FlightRecord record;
-  record.command = repeating_command(request, study);
+  record.command = repeating_command(request, study.seeds, study.frames);
   record.study = study.name;
   record.id = trial->id;
   record.point = study.points[trial->point];

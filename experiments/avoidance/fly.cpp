@@ -6,6 +6,7 @@
 #include <optional>
 #include <ostream>
 
+#include "datasets/files/csv.h"
 #include "datasets/files/partial_file.h"
 #include "datasets/scenario/flight/bspline.h"
 #include "experiments/avoidance/flight_film.h"
@@ -17,67 +18,42 @@ namespace {
 
 constexpr double kPlanStep = 0.2;  ///< of the planned paths in plans.csv [s]
 
-/// Appends numbers with commas between, and the end of the line.
-class Row {
- public:
-  explicit Row(std::ostream& out) : out_(out) {}
-  ~Row() { out_ << '\n'; }
-  Row(const Row&) = delete;
-  Row& operator=(const Row&) = delete;
-
-  Row& add(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4f", value);
-    return add(std::string_view(text));
-  }
-  Row& add(std::int64_t value) { return add(std::string_view(std::to_string(value))); }
-  Row& add(const Eigen::Vector3d& v) { return add(v.x()).add(v.y()).add(v.z()); }
-
- private:
-  Row& add(std::string_view text) {
-    if (!first_) out_ << ',';
-    first_ = false;
-    out_ << text;
-    return *this;
-  }
-
-  std::ostream& out_;
-  bool first_ = true;
-};
+constexpr int kDecimals = 4;
 
 void write_samples(const Flight& flight, std::ostream& out) {
-  out << "time_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,clearance_m,braking\n";
+  datasets::CsvWriter csv(
+      out, "time_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,clearance_m,braking");
   for (const FlightSample& sample : flight.samples) {
-    Row(out)
-        .add(sample.time)
-        .add(sample.position)
-        .add(sample.velocity)
-        .add(sample.acceleration)
-        .add(sample.clearance)
-        .add(std::int64_t{sample.braking});
+    csv.add(sample.time, kDecimals)
+        .add_vector(sample.position, kDecimals)
+        .add_vector(sample.velocity, kDecimals)
+        .add_vector(sample.acceleration, kDecimals)
+        .add(sample.clearance, kDecimals)
+        .add(std::int64_t{sample.braking})
+        .end_row();
   }
 }
 
-void write_obstacles(const datasets::Frame& frame, std::ostream& out) {
+void write_obstacles(const datasets::Frame& frame, datasets::CsvWriter& csv) {
   for (const datasets::ObjectState& object : frame.truth->objects) {
-    Row(out)
-        .add(frame.scan.time)
+    csv.add(frame.scan.time, kDecimals)
         .add(std::int64_t{object.id})
         .add(std::int64_t{object.dynamic})
-        .add(object.position)
-        .add(object.size);
+        .add_vector(object.position, kDecimals)
+        .add_vector(object.size, kDecimals)
+        .end_row();
   }
 }
 
 void write_plan(const datasets::Frame& frame, const Plan& plan, double knot_step,
-                std::ostream& out) {
+                datasets::CsvWriter& csv) {
   const double end = static_cast<double>(plan.points.size() - 3) * knot_step;
   for (double t = 0; t <= end + kPlanStep / 2; t += kPlanStep) {
-    Row(out)
-        .add(frame.scan.time)
-        .add(t)
-        .add(datasets::curve_at(plan.points, knot_step, t))
-        .add(std::int64_t{plan.braking});
+    csv.add(frame.scan.time, kDecimals)
+        .add(t, kDecimals)
+        .add_vector(datasets::curve_at(plan.points, knot_step, t), kDecimals)
+        .add(std::int64_t{plan.braking})
+        .end_row();
   }
 }
 
@@ -112,16 +88,17 @@ void fly(const FlyRequest& request, const DataFolders& folders, std::ostream& ou
   datasets::PartialFile obstacles(request.output / "obstacles.csv");
   datasets::PartialFile plans(request.output / "plans.csv");
   datasets::PartialFile summary(request.output / "summary.json");
-  obstacles.stream() << "time_s,id,dynamic,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m\n";
-  plans.stream() << "planned_at_s,ahead_s,x_m,y_m,z_m,braking\n";
+  datasets::CsvWriter obstacle_rows(obstacles.stream(),
+                                    "time_s,id,dynamic,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m");
+  datasets::CsvWriter plan_rows(plans.stream(), "planned_at_s,ahead_s,x_m,y_m,z_m,braking");
   const Arm& arm = record.settings.arm;
   const std::unique_ptr<Sight> sight = arm.sight(record.settings.map, task.corridor);
   std::optional<FlightFilm> film;
   if (request.video) film.emplace(*request.video, heading(request), task);
   const auto observe = [&](const FlightMoment& moment) {
     if (moment.planned_at == moment.frame.scan.time) {
-      write_obstacles(moment.frame, obstacles.stream());
-      write_plan(moment.frame, moment.plan, task.planner.knot_step, plans.stream());
+      write_obstacles(moment.frame, obstacle_rows);
+      write_plan(moment.frame, moment.plan, task.planner.knot_step, plan_rows);
     }
     if (film) film->add(moment, sight->map());
   };
@@ -130,7 +107,7 @@ void fly(const FlyRequest& request, const DataFolders& folders, std::ostream& ou
   if (film) film->finish(ending(record.flight));
   write_samples(record.flight, samples.stream());
   summary.stream() << to_json(record, provenance());
-  for (datasets::PartialFile* file : {&samples, &obstacles, &plans, &summary}) file->commit();
+  datasets::commit_together({&samples, &obstacles, &plans, &summary});
 
   out << ending(record.flight) << '\n';
 }

@@ -1,5 +1,4 @@
 /// The program `ldm_bench`: times of whole frames and their stages as CSV on standard output.
-#include <charconv>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -24,9 +23,7 @@ struct Options {
 /// @throws ldm::InvalidInput unless the text is an allowed number of frames.
 std::int64_t frames_in(const std::string& text) {
   std::int64_t frames = 0;
-  const char* const end = text.data() + text.size();
-  if (std::from_chars(text.data(), end, frames).ptr != end || frames < kFewestFrames ||
-      frames > kMostFrames) {
+  if (!datasets::parse_number(text, frames) || frames < kFewestFrames || frames > kMostFrames) {
     throw ldm::InvalidInput("--frames " + text + ": allowed: " + std::to_string(kFewestFrames) +
                             " to " + std::to_string(kMostFrames));
   }

@@ -4,6 +4,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "datasets/files/at_place.h"
+#include "datasets/files/text.h"
 #include "experiments/method/result_json.h"
 
 namespace experiments {
@@ -72,7 +74,10 @@ MethodOnInput request_of(const Json& json) {
   request.recording.poses_topic = text("poses_topic");
   request.recording.sensor_frame = text("sensor_frame");
   request.time_unit = text("time_unit");
-  if (source.contains("seed")) request.seed = std::stoull(source.at("seed").get<std::string>());
+  if (const std::optional<std::string> seed = text("seed");
+      seed && !datasets::parse_number(*seed, request.seed.emplace())) {
+    throw ldm::InvalidInput("source.seed = " + *seed + ": allowed: a whole number from 0 on");
+  }
   const bool is_name = request.seed && !request.input.ends_with(".toml");
   if (!is_name) request.input = (folder / request.input).string();
   request.recording.poses = file("poses");
@@ -131,11 +136,15 @@ MethodOnInput read_request(const std::filesystem::path& summary) {
     throw ldm::InvalidInput(summary.string() +
                             ": cannot be read: allowed: summary.json in a folder of `ldm run`");
   }
-  try {
-    return request_of(Json::parse(stream));
-  } catch (const Json::exception& error) {
-    throw ldm::InvalidInput(summary.string() + ": no summary of this version: " + error.what());
-  }
+  MethodOnInput request;
+  datasets::at_place(summary.string(), [&] {
+    try {
+      request = request_of(Json::parse(stream));
+    } catch (const Json::exception& error) {
+      throw ldm::InvalidInput(std::string("no summary of this version: ") + error.what());
+    }
+  });
+  return request;
 }
 
 }  // namespace experiments

@@ -208,25 +208,33 @@ std::vector<Trial> trials(const Study& study) {
   return all;
 }
 
-std::string trial_id(const Study& study, const Trial& trial) {
+std::string trial_id(const std::string& scenario, const std::string& method,
+                     std::optional<std::size_t> point, std::int64_t replicate) {
   char number[32];
-  std::string id = study.scenarios[trial.scenario].name + "." + study.entrants[trial.entrant].name;
-  if (study.swept()) {
-    std::snprintf(number, sizeof number, ".p%02zu", trial.point + 1);
+  std::string id = scenario + "." + method;
+  if (point) {
+    std::snprintf(number, sizeof number, ".p%02zu", *point + 1);
     id += number;
   }
-  std::snprintf(number, sizeof number, ".s%03lld", static_cast<long long>(trial.replicate));
+  std::snprintf(number, sizeof number, ".s%03lld", static_cast<long long>(replicate));
   return id + number;
+}
+
+std::string trial_id(const Study& study, const Trial& trial) {
+  return trial_id(study.scenarios[trial.scenario].name, study.entrants[trial.entrant].name,
+                  study.swept() ? std::optional(trial.point) : std::nullopt, trial.replicate);
+}
+
+void refuse_trial(const std::string& study, std::string_view id) {
+  throw ldm::InvalidInput("study " + study + " has no trial " + std::string(id) +
+                          ": allowed: an id that `ldm trials " + study + "` lists");
 }
 
 Trial find_trial(const Study& study, std::string_view id) {
   const std::vector<Trial> all = trials(study);
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Trial& trial) { return trial_id(study, trial) == id; });
-  if (found == all.end()) {
-    throw ldm::InvalidInput("study " + study.name + " has no trial " + std::string(id) +
-                            ": allowed: an id that `ldm trials " + study.name + "` lists");
-  }
+  if (found == all.end()) refuse_trial(study.name, id);
   return *found;
 }
 

@@ -85,8 +85,13 @@ struct Trial {
 /// All trials, replicate by replicate: a study cut short has all methods on fewer seeds.
 std::vector<Trial> trials(const Study& study);
 
-/// `scenario1.ldm.s001`; with a sweep `scenario1.ldm.p02.s001`.
+/// `scenario1.ldm.s001`; with the point of a sweep, its position from 0, `scenario1.ldm.p02.s001`.
+std::string trial_id(const std::string& scenario, const std::string& method,
+                     std::optional<std::size_t> point, std::int64_t replicate);
 std::string trial_id(const Study& study, const Trial& trial);
+
+/// @throws ldm::InvalidInput that the study has no such trial.
+[[noreturn]] void refuse_trial(const std::string& study, std::string_view id);
 
 /// @throws ldm::InvalidInput if the study has no such trial.
 Trial find_trial(const Study& study, std::string_view id);

@@ -13,20 +13,6 @@
 namespace experiments {
 namespace {
 
-/// The same for the same trial, however it was asked for.
-std::string repeating_command(const TrialRequest& request, const TrialRecord& record) {
-  std::vector<std::string> words = {"ldm"};
-  if (request.data_dir) words.insert(words.end(), {"--data-dir", *request.data_dir});
-  for (const std::string& file : request.plugins) words.insert(words.end(), {"--plugin", file});
-  words.insert(words.end(),
-               {"trial", request.study, request.id, "--seeds", std::to_string(record.replicate),
-                "--frames", std::to_string(record.frames), "-o", request.id + ".json"});
-  for (const std::string& method : request.options.methods) {
-    words.insert(words.end(), {"--method", method});
-  }
-  return datasets::command_line(words);
-}
-
 void write(const std::string& text, const std::filesystem::path& path) {
   datasets::PartialFile file(path);
   file.stream() << text;
@@ -65,7 +51,7 @@ PreparedTrial prepared(const TrialRequest& request, const Study& study) {
   record.scenario_file_hash = datasets::scenario_hash(found.scenario);
   record.plugin = plugin_of(*entrant.method);
   record.serial = request.serial;
-  record.command = repeating_command(request, record);
+  record.command = repeating_command(request, record.replicate, record.frames);
   record.error = request.failure;
   return found;
 }
@@ -107,6 +93,19 @@ void run_in_world(std::span<PreparedTrial> trials, bool series) {
 }
 
 }  // namespace
+
+std::string repeating_command(const TrialRequest& request, std::int64_t seeds,
+                              std::int64_t frames) {
+  std::vector<std::string> words = {"ldm"};
+  if (request.data_dir) words.insert(words.end(), {"--data-dir", *request.data_dir});
+  for (const std::string& file : request.plugins) words.insert(words.end(), {"--plugin", file});
+  words.insert(words.end(), {"trial", request.study, request.id, "--seeds", std::to_string(seeds),
+                             "--frames", std::to_string(frames), "-o", request.id + ".json"});
+  for (const std::string& method : request.options.methods) {
+    words.insert(words.end(), {"--method", method});
+  }
+  return datasets::command_line(words);
+}
 
 TrialRecord run_trial(const TrialRequest& request) {
   std::optional<TrialRecord> found;

@@ -21,6 +21,10 @@ struct TrialRequest {
   std::vector<std::string> plugins = {};  ///< loaded ones, as given on the command line
 };
 
+/// The command that runs the trial again: the same for the same trial, however it was asked for.
+/// @param seeds so many that the trial is among them
+std::string repeating_command(const TrialRequest& request, std::int64_t seeds, std::int64_t frames);
+
 /// Runs the trial. A failure inside of it (simulation, method) is in the record's `error`.
 /// @throws ldm::InvalidInput on a bad study, id or parameter: there is then no record.
 TrialRecord run_trial(const TrialRequest& request);

@@ -1,9 +1,9 @@
 #include "experiments/study/trial_record.h"
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "datasets/files/text.h"
 #include "experiments/method/result_json.h"
 
 namespace experiments {
@@ -17,9 +17,8 @@ Json typed(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
   std::int64_t whole = 0;
   double number = 0;
-  const char* const end = text.data() + text.size();
-  if (std::from_chars(text.data(), end, whole).ptr == end) return whole;
-  if (std::from_chars(text.data(), end, number).ptr == end) return number;
+  if (datasets::parse_number(text, whole)) return whole;
+  if (datasets::parse_number(text, number)) return number;
   return text;
 }
 

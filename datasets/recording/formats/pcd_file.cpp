@@ -3,10 +3,10 @@
 #include <liblzf/lzf.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 
+#include "datasets/files/text.h"
 #include "datasets/recording/formats/pcd_header.h"
 #include "datasets/recording/scans/broken_frame.h"
 
@@ -155,7 +155,7 @@ class AsciiPoints {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       words_ = rest_.substr(0, end);
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
-      if (words_.find_first_not_of(kBlanks) != std::string_view::npos) return true;
+      if (std::string_view line = words_; !next_word(line).empty()) return true;
     }
     ++line_;
     return false;
@@ -164,7 +164,8 @@ class AsciiPoints {
   ldm::Point point() {
     ldm::Point p;
     std::size_t column = 0;
-    for (std::string_view word = next_word(); !word.empty(); word = next_word(), ++column) {
+    for (std::string_view word = next_word(words_); !word.empty();
+         word = next_word(words_), ++column) {
       for (int axis = 0; axis < 3; ++axis) {
         if (column == header_.xyz[axis].column) p[axis] = number(word);
       }
@@ -176,20 +177,11 @@ class AsciiPoints {
     return p;
   }
 
-  std::string_view next_word() {
-    words_.remove_prefix(std::min(words_.find_first_not_of(kBlanks), words_.size()));
-    const std::string_view word = words_.substr(0, words_.find_first_of(kBlanks));
-    words_.remove_prefix(word.size());
-    return word;
-  }
-
   /// What is written, whatever the type of its field: PCL would squeeze 300 into one byte.
   float number(std::string_view word) const {
     const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
     double value = 0;
-    const char* const end = word.data() + word.size();
-    const auto [read, error] = std::from_chars(word.data() + plus, end, value);
-    if (error != std::errc{} || read != end) {
+    if (!parse_number(word.substr(plus), value)) {
       reject(std::string(word.substr(0, 40)) + ": allowed: a number or nan");
     }
     return static_cast<float>(value);
@@ -199,7 +191,6 @@ class AsciiPoints {
     throw BrokenFrame(kBroken, name_ + ":" + std::to_string(line_) + ": " + message);
   }
 
-  static constexpr std::string_view kBlanks = " \t\r";
   std::string_view rest_, words_;
   const PcdHeader& header_;
   const std::string& name_;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <vector>
 
+#include "datasets/files/text.h"
 #include "datasets/recording/scans/broken_frame.h"
 
 namespace datasets {
@@ -17,14 +17,12 @@ constexpr std::size_t kMaxPoints = 1U << 27;  // ten times what any sweep has
 
 using Words = std::vector<std::string_view>;
 
-Words split(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\r";
+Words words_of(std::string_view line) {
   Words words;
-  for (;;) {
-    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-    if (line.empty()) return words;
-    words.push_back(line.substr(0, line.find_first_of(kBlanks)));
-    line.remove_prefix(words.back().size());
+  while (true) {
+    const std::string_view word = next_word(line);
+    if (word.empty()) return words;
+    words.push_back(word);
   }
 }
 
@@ -73,7 +71,7 @@ class HeaderReader {
                                            ": the file ends in its header: allowed: "
                                            "a PCD file, whose header ends with DATA");
     }
-    Words words = split(content_.substr(at_, end - at_));
+    Words words = words_of(content_.substr(at_, end - at_));
     at_ = end + 1;
     if (words.empty() || words.front().starts_with('#')) return;
     constexpr std::array<std::string_view, 10> kKeys = {"VERSION", "FIELDS", "COLUMNS", "SIZE",
@@ -165,8 +163,7 @@ class HeaderReader {
 
   std::size_t number(const std::string& key, std::string_view word, std::size_t max) {
     std::size_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || value > max) {
+    if (!parse_number(word, value) || value > max) {
       reject(key, "allowed: whole numbers up to " + std::to_string(max));
     }
     return value;

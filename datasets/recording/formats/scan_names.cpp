@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 
+#include "datasets/files/text.h"
 #include "ldm/types.h"
 
 namespace datasets {
@@ -49,12 +49,9 @@ std::optional<std::int64_t> number_of(const std::string& name) {
   constexpr std::size_t kMostDigits = 9;  // more are a time
   const std::string_view stem = std::string_view(name).substr(0, name.rfind('.'));
   std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
-  if (error != std::errc{} || end != stem.data() + stem.size() || !begins_with_digit(stem) ||
-      stem.size() > kMostDigits) {
-    return {};
-  }
-  return number;
+  const bool is_one =
+      begins_with_digit(stem) && stem.size() <= kMostDigits && parse_number(stem, number);
+  return is_one ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace

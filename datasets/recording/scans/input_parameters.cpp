@@ -1,15 +1,17 @@
 #include "datasets/recording/scans/input_parameters.h"
 
+#include "datasets/files/text.h"
 #include "ldm/parameter_text.h"
 
 namespace datasets {
 namespace {
 
-void check_bounds(const InputParameters& parameters, std::string_view low, std::string_view high) {
-  const std::string min = get_parameter(parameters, low), max = get_parameter(parameters, high);
-  if (std::stod(min) <= std::stod(max)) return;
-  throw ldm::InvalidInput(std::string(low) + " = " + min + ": allowed: at most " +
-                          std::string(high) + " = " + max);
+/// @param low_name without "input." and "_m", as the other
+void check_bounds(double low, double high, std::string_view low_name, std::string_view high_name) {
+  if (low <= high) return;
+  throw ldm::InvalidInput("input." + std::string(low_name) + "_m = " + decimal(low) +
+                          ": allowed: at most input." + std::string(high_name) +
+                          "_m = " + decimal(high));
 }
 
 }  // namespace
@@ -27,10 +29,11 @@ void set_parameter(InputParameters& parameters, std::string_view name, std::stri
 }
 
 void check(const InputParameters& parameters) {
-  check_bounds(parameters, "input.min_range_m", "input.max_range_m");
-  check_bounds(parameters, "input.body.x_min_m", "input.body.x_max_m");
-  check_bounds(parameters, "input.body.y_min_m", "input.body.y_max_m");
-  check_bounds(parameters, "input.body.z_min_m", "input.body.z_max_m");
+  check_bounds(parameters.min_range, parameters.max_range, "min_range", "max_range");
+  const auto& body = parameters.body;
+  check_bounds(body.x_min, body.x_max, "body.x_min", "body.x_max");
+  check_bounds(body.y_min, body.y_max, "body.y_min", "body.y_max");
+  check_bounds(body.z_min, body.z_max, "body.z_min", "body.z_max");
 }
 
 }  // namespace datasets

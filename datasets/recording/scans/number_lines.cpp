@@ -1,35 +1,25 @@
 #include "datasets/recording/scans/number_lines.h"
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <optional>
 #include <string_view>
 
+#include "datasets/files/text.h"
 #include "datasets/recording/scans/broken_frame.h"
 
 namespace datasets {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kLongestShown = 40;
-
-/// Takes the next word from `rest`; empty if there is none.
-std::string_view next_word(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
-  rest.remove_prefix(word.size());
-  return word;
-}
 
 /// The finite number that a word is.
 std::optional<double> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return {};
+  if (!parse_number(word, value) || !std::isfinite(value)) return {};
   return value;
 }
 
@@ -41,8 +31,8 @@ bool is_of_words(std::string_view line) {
 }
 
 bool is_data(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(kBlanks);
-  return first != std::string_view::npos && line[first] != '#';
+  const std::string_view first = next_word(line);
+  return !first.empty() && first.front() != '#';
 }
 
 }  // namespace

@@ -33,6 +33,15 @@ TEST(Text, Numbers) {
   EXPECT_EQ(split("", ',').size(), 1U);
 }
 
+TEST(Text, TakesWordAfterWord) {
+  std::string_view rest = "\t one  two\r";
+  EXPECT_EQ(next_word(rest), "one");
+  EXPECT_EQ(rest, "  two\r");
+  EXPECT_EQ(next_word(rest), "two");
+  EXPECT_EQ(next_word(rest), "");
+  EXPECT_EQ(rest, "");
+}
+
 TEST(Text, CommandLineQuotesWhatAShellWouldBreak) {
   EXPECT_EQ(command_line({"ldm", "run", "--set", "map.voxels=8,8,8"}),
             "ldm run --set map.voxels=8,8,8");

@@ -80,6 +80,14 @@ TEST_F(Program, RefusesBadRunsToDraw) {
   folder_.write("o/summary.json", "{\"schema\": 1}");
   expect_bad("render o --frame 0 -o a.png", "o/summary.json: no summary of this version");
   expect_bad("render o --frame 0 -o a.png --seed 3", "RUN o: is repeated as it was");
+  ASSERT_EQ(ldm("run current_scan scenario3 --frames 1 -o seeded").code, 0);
+  std::string summary = folder_.read("seeded/summary.json");
+  const std::string seed = "\"seed\":\"1\"";
+  ASSERT_NE(summary.find(seed), std::string::npos) << summary;
+  folder_.write("seeded/summary.json",
+                summary.replace(summary.find(seed), seed.size(), "\"seed\":\"-1\""));
+  expect_bad("render seeded --frame 0 -o a.png",
+             "seeded/summary.json: source.seed = -1: allowed: a whole number from 0 on");
 }
 
 /// A program of this name that keeps its arguments and what it is fed.
