@@ -14,6 +14,28 @@ constexpr Control kControls[] = {
     {ArmKind::kOracleFuture, "oracle_future", "knows the true shapes, and where they will be"},
 };
 
+/// What the study `avoidance_trust` chose, which `make study STUDY=avoidance_trust` prints. Arms
+/// that are not here have the default (docs/avoidance.md).
+struct TunedTrust {
+  std::string_view arm;
+  double margin;  // [m]
+  double doubt;
+};
+constexpr TunedTrust kTunedTrust[] = {
+    {"circular_buffer", 0.3, 1}, {"octomap", 0.2, 1},       {"current_scan", 0.2, 1},
+    {"oracle", 0.1, 1},          {"oracle_future", 0.1, 1},
+};
+
+Trust tuned_trust(std::string_view arm) {
+  Trust trust;
+  for (const TunedTrust& tuned : kTunedTrust) {
+    if (tuned.arm != arm) continue;
+    trust.margin = tuned.margin;
+    trust.doubt = tuned.doubt;
+  }
+  return trust;
+}
+
 }  // namespace
 
 std::span<const Control> controls() {
@@ -29,6 +51,7 @@ std::unique_ptr<Sight> Arm::sight(const ldm::Parameters& parameters,
 Arm find_arm(std::string_view name) {
   Arm arm;
   arm.name = name;
+  arm.trust = tuned_trust(name);
   std::vector<std::string_view> known;
   for (const Control& control : kControls) {
     known.push_back(control.name);

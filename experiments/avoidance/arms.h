@@ -16,7 +16,7 @@ struct Arm {
   ArmKind kind = ArmKind::kMapped;
   std::string_view name;
   const Method* method = nullptr;  ///< whose map it has; null of the oracles
-  Trust trust;
+  Trust trust;                     ///< tuned for the arm, if the study `avoidance_trust` has it
 
   /// `corridor` must outlive the sight.
   std::unique_ptr<Sight> sight(const ldm::Parameters& parameters, const Corridor& corridor) const;

@@ -135,6 +135,9 @@ TEST(Flight, RefusesADelayAndASensorThatDoNotFit) {
 TEST(Arms, AreControlsAndMethods) {
   EXPECT_EQ(find_arm("ldm").method, &find_method("ldm"));
   EXPECT_EQ(find_arm("oracle").method, nullptr);
+  EXPECT_EQ(find_arm("oracle_future").trust.margin, find_arm("oracle").trust.margin);
+  EXPECT_EQ(find_arm("circular_buffer").trust.margin, 0.3) << "as avoidance_trust chose";
+  EXPECT_EQ(find_arm("empty_map").trust.margin, Trust().margin) << "of those not tuned the default";
   EXPECT_NE(tests::message_of<ldm::InvalidInput>([] {
               find_arm("orcale");
             }).find("unknown arm orcale: allowed: blind, oracle, oracle_future, ldm, "),
