@@ -1,6 +1,7 @@
 #pragma once
 /// Voxels as a PLY file, which MeshLab, CloudCompare and PCL open (no paper section).
 #include <cstdint>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -20,5 +21,14 @@ struct PlyVertex {
 /// @param comment a line for the file's header, or empty
 void write_ply(const std::vector<PlyVertex>& vertices, const std::string& comment,
                std::ostream& out);
+
+struct PlyFile {
+  /// Of a comment `origin_m x y z`, else 0: the positions are relative to it. [m]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  std::vector<PlyVertex> vertices;
+};
+
+/// @throws ldm::InvalidInput if the file cannot be read, or is none of `write_ply`.
+PlyFile read_ply(const std::filesystem::path& file);
 
 }  // namespace experiments

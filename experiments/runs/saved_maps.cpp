@@ -28,6 +28,10 @@ void write_ply_file(const std::vector<PlyVertex>& vertices, const std::string& c
 
 }  // namespace
 
+std::filesystem::path occupied_ply(const std::filesystem::path& folder, std::int64_t frame) {
+  return folder / (name_of(frame) + ".occupied.ply");
+}
+
 SavedMaps::SavedMaps(const SavedMapsRequest& request, std::filesystem::path folder)
     : frames_(request.frames.begin(), request.frames.end()),
       folder_(std::move(folder)),
@@ -85,7 +89,7 @@ void SavedMaps::write_ply_files(const datasets::Frame& frame, const ldm::LocalMa
     }
     (ldm::is_occupied(p) ? occupied : free).push_back(vertex);
   });
-  write_ply_file(occupied, datasets::origin_text(frame), folder_ / (name + ".occupied.ply"));
+  write_ply_file(occupied, datasets::origin_text(frame), occupied_ply(folder_, frame.index));
   write_ply_file(free, datasets::origin_text(frame), folder_ / (name + ".free.ply"));
 }
 

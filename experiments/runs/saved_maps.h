@@ -18,6 +18,9 @@ struct SavedMapsRequest {
   std::vector<std::string> formats{"ply", "bt"};
 };
 
+/// The file in `folder` of a frame's occupied voxels.
+std::filesystem::path occupied_ply(const std::filesystem::path& folder, std::int64_t frame);
+
 /// Writes frame_NUMBER.occupied.ply and frame_NUMBER.free.ply, and frame_NUMBER.bt.
 class SavedMaps {
  public:

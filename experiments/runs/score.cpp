@@ -49,6 +49,16 @@ void print(const TruthScore& score, std::ostream& out) {
   out << '\n';
 }
 
+void print(const RunGhosts& ghosts, std::ostream& out) {
+  out << "ghosts: " << datasets::rounded(ghosts.voxels_per_frame, 1) << " voxels a frame, in "
+      << ghosts.frames << " frames with a saved map; 90 % of what was left is cleared ";
+  if (ghosts.seconds_to_clear) {
+    out << "after " << datasets::rounded(*ghosts.seconds_to_clear, 2) << " s\n";
+  } else {
+    out << "never\n";
+  }
+}
+
 void write_csv(const TruthScore& score, std::ostream& out) {
   constexpr int kDecimals = 6;
   datasets::CsvWriter csv(out, kScoreColumns);
@@ -64,12 +74,15 @@ void write_csv(const TruthScore& score, std::ostream& out) {
 
 void score_run(const ScoreRequest& request, std::ostream& out) {
   const auto run = read_run_frames(request.run);
-  const TruthScore score = experiments::score(run, read_truth_table(request.truth), request.gate);
+  const TruthTable truth = read_truth_table(request.truth);
+  const TruthScore score = experiments::score(run, truth, request.gate);
+  const std::optional<RunGhosts> ghosts = ghosts_of_run(request.run, run, truth);
   datasets::PartialFile csv(request.run / "score.csv"), json(request.run / "score.json");
   write_csv(score, csv.stream());
-  json.stream() << to_json(score, request.truth.string(), request.gate);
+  json.stream() << to_json(score, ghosts, request.truth.string(), request.gate);
   datasets::commit_together({&csv, &json});
   print(score, out);
+  if (ghosts) print(*ghosts, out);
 }
 
 }  // namespace experiments
