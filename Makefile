@@ -171,7 +171,7 @@ test-container: ## the Dockerfile's steps, then `make smoke`, in a bare Debian b
 	@$(PYTHON) tests/container/run_steps.py $(BUILD) make smoke
 
 # Clang's runtime for fuzzing is not among the packages that building needs.
-fuzz_targets = pcd trajectory kitti mrpt_log ros1_bag mcap_bag sqlite_bag
+fuzz_targets = pcd trajectory kitti mrpt_log ros1_bag mcap_bag sqlite_bag kitti_raw pcap
 .PHONY: fuzz
 fuzz: setup ## fuzz the readers of recordings, each for FUZZ_SECONDS (600): docs/recordings.md
 	$(call install,tests/fuzz/apt-packages.txt)

@@ -6,13 +6,17 @@
 #include "datasets/rawlog/rawlog.h"
 #include "datasets/rawlog/rawlog_sidecars.h"
 #include "datasets/recording/filter/scan_filter.h"
+#include "datasets/recording/formats/bin_folder_reader.h"
+#include "datasets/recording/formats/bin_scans.h"
+#include "datasets/recording/formats/kitti_raw_reader.h"
 #include "datasets/recording/formats/kitti_reader.h"
 #include "datasets/recording/formats/mrpt_log_reader.h"
+#include "datasets/recording/formats/pcap/pcap_reader.h"
 #include "datasets/recording/formats/pcd_reader.h"
 #include "datasets/recording/formats/ros/bag_file.h"
 #include "datasets/recording/formats/ros/bag_reader.h"
-#include "datasets/recording/formats/scan_names.h"
 #include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/scan_names.h"
 #include "ldm/scan_check.h"
 
 namespace datasets {
@@ -20,11 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_pcd(const fs::path& folder) {
+bool has_scans(const fs::path& folder, std::string_view ending) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
-  return !error && std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
-    return is_scan_name(entry.path(), kPcdEnding);
+  return !error && std::any_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
+    return is_scan_name(entry.path(), ending);
   });
 }
 
@@ -46,6 +50,12 @@ std::unique_ptr<ScanReader> open_reader(const fs::path& path, RecordingFormat fo
   switch (format) {
     case RecordingFormat::kKitti:
       return open_kitti(path, options);
+    case RecordingFormat::kKittiRaw:
+      return open_kitti_raw(path, options);
+    case RecordingFormat::kBin:
+      return open_bin_folder(path, options);
+    case RecordingFormat::kPcap:
+      return open_pcap(path, options);
     case RecordingFormat::kPcd:
       return open_pcd_folder(path, options);
     default:
@@ -58,9 +68,12 @@ std::unique_ptr<ScanReader> open_reader(const fs::path& path, RecordingFormat fo
 std::optional<RecordingFormat> recognised_format(const fs::path& path) {
   if (fs::is_directory(path)) {
     if (fs::is_directory(path / "velodyne")) return RecordingFormat::kKitti;
-    if (has_pcd(path)) return RecordingFormat::kPcd;
+    if (is_kitti_raw(path)) return RecordingFormat::kKittiRaw;
+    if (has_scans(path, kPcdEnding)) return RecordingFormat::kPcd;
+    if (has_scans(path, kBinEnding)) return RecordingFormat::kBin;
   }
   if (is_bag(path)) return RecordingFormat::kBag;
+  if (is_pcap(path)) return RecordingFormat::kPcap;
   if (path.extension() != ".rawlog") return {};
   return fs::exists(LogFiles(path).description) ? RecordingFormat::kLdmRawlog
                                                 : RecordingFormat::kMrptRawlog;
@@ -70,9 +83,11 @@ RecordingFormat format_of(const fs::path& path, const RecordingOptions& options)
   if (!fs::exists(path)) throw ldm::InvalidInput(path.string() + ": cannot be read: no such file");
   if (options.format) return *options.format;
   if (const auto format = recognised_format(path)) return *format;
-  throw ldm::InvalidInput(path.string() +
-                          ": no recording: allowed: a KITTI folder with velodyne/, a folder of "
-                          "*.pcd files, a .rawlog file, or a bag (.bag, .mcap, .db3)");
+  throw ldm::InvalidInput(
+      path.string() +
+      ": no recording: allowed: a KITTI folder with velodyne/ or "
+      "velodyne_points/, a folder of *.pcd or *.bin files, a .rawlog file, a bag "
+      "(.bag, .mcap, .db3), or packets of a LiDAR (.pcap, .pcapng)");
 }
 
 std::unique_ptr<FrameSource> open_recording(const fs::path& path, const RecordingOptions& options) {

@@ -10,9 +10,11 @@
 
 namespace datasets {
 
-/// A folder with velodyne/ is KITTI's, one with *.pcd files PCD's; *.bag, *.mcap, *.db3 and folders
-/// of these are bags; NAME.rawlog is our own log if NAME.log.toml stands beside it, else an MRPT
-/// log. None for anything else.
+/// A folder with velodyne/ is KITTI's, one with velodyne_points/ a raw recording of KITTI's, one
+/// with
+/// *.pcd files PCD's, one with *.bin files nuScenes'; *.bag, *.mcap, *.db3 and folders of these are
+/// bags, *.pcap and *.pcapng recordings of a network; NAME.rawlog is our own log if NAME.log.toml
+/// stands beside it, else an MRPT log. None for anything else.
 std::optional<RecordingFormat> recognised_format(const std::filesystem::path& path);
 
 /// That of the options, or recognised.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "datasets/recording/formats/pcap/pcap_contents.h"
 #include "datasets/recording/formats/ros/bag_contents.h"
 #include "datasets/recording/recording.h"
 
@@ -19,7 +20,7 @@ std::string formatted(const char* format, Values... values) {
 
 /// `12 messages, 10.0 Hz`; the rate where there are two at least.
 std::string count_text(const char* what, std::int64_t count, double first, double last) {
-  std::string text = std::to_string(count) + " " + what;
+  std::string text = std::to_string(count) + what;
   if (count < 2 || !(last > first)) return text;
   return text + formatted(", %.1f Hz", static_cast<double>(count - 1) / (last - first));
 }
@@ -34,7 +35,7 @@ void describe_bag(const std::filesystem::path& path, const RecordingOptions& opt
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (const BagContents::Topic& entry : contents.topics) {
     out << "topic   " << entry.topic.name << ": " << entry.topic.type << ", "
-        << count_text("messages", entry.messages, entry.first, entry.last);
+        << count_text(" messages", entry.messages, entry.first, entry.last);
     if (!entry.frame.empty()) out << ", in " << entry.frame;
     if (!entry.child.empty()) out << " of " << entry.child;
     out << '\n';
@@ -45,6 +46,27 @@ void describe_bag(const std::filesystem::path& path, const RecordingOptions& opt
   std::string taken;
   try {
     taken = text_of(plan_of(path, contents, options));
+  } catch (const ldm::InvalidInput& error) {
+    taken = std::string("nothing: ") + error.what();
+  }
+  out << "taken   " << taken << '\n';
+}
+
+void describe_pcap(const std::filesystem::path& path, const RecordingOptions& options,
+                   std::ostream& out) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const PcapStream& stream : read_streams(path)) {
+    out << "packets " << stream.text() << ", "
+        << count_text("", stream.datagrams, stream.first, stream.last) << '\n';
+    first = std::min(first, stream.first);
+    last = std::max(last, stream.last);
+  }
+  if (first <= last) out << "times   " << time_text(first, last) << '\n';
+  std::string taken;
+  try {
+    open_recording(path, options);
+    taken = "scans of " + plan_of_pcap(path).scans->name() +
+            (options.input.poses == PoseSource::kStill ? ", at rest" : ", poses of a file");
   } catch (const ldm::InvalidInput& error) {
     taken = std::string("nothing: ") + error.what();
   }
@@ -65,7 +87,7 @@ void describe_frames(const std::filesystem::path& path, RecordingOptions options
     if (scans == 0) begin = end;
     points += static_cast<std::int64_t>(frame.scan.points.size());
   }
-  out << "scans   " << count_text("that can be used", scans, first, last) << '\n';
+  out << "scans   " << count_text(" that can be used", scans, first, last) << '\n';
   if (scans > 0) {
     out << "times   " << time_text(first, last) << '\n'
         << "points  " << points / scans << " a scan\n"
@@ -86,6 +108,8 @@ void describe_recording(const std::filesystem::path& path, const RecordingOption
   out << "format  " << kRecordingFormatNames[static_cast<std::size_t>(format)] << '\n';
   if (format == RecordingFormat::kBag) {
     describe_bag(path, options, out);
+  } else if (format == RecordingFormat::kPcap) {
+    describe_pcap(path, options, out);
   } else {
     describe_frames(path, options, out);
   }

@@ -18,7 +18,8 @@ CommandOption add_input(Command& command, MethodOnInput& request) {
   return command.option(
       "INPUT", request.input,
       "scenario (name or .toml file), or recording: .rawlog file of ours or MRPT's, "
-      "KITTI folder, folder of PCD files, bag of ROS (docs/recordings.md)");
+      "KITTI folder, folder of PCD or .bin files, bag of ROS, .pcap of a Velodyne or Ouster "
+      "sensor (docs/recordings.md)");
 }
 
 }  // namespace
@@ -41,10 +42,12 @@ void add_run_or_method(Command& command, MethodOnInput& request) {
 
 void add_recording_options(Command& command, MethodOnInput& request) {
   command.option("--format", request.format,
-                 "of a recording: kitti, pcd, bag, mrpt-rawlog, ldm-rawlog (default: recognised)");
-  command.option("--poses", request.recording.poses,
-                 "trajectory of a folder of scans, TUM's or KITTI's (default: its poses.txt), or "
-                 "of a bag, TUM's");
+                 "of a recording: kitti, kitti-raw, bin, pcd, bag, pcap, mrpt-rawlog, ldm-rawlog "
+                 "(default: recognised)");
+  command.option(
+      "--poses", request.recording.poses,
+      "trajectory, TUM's or KITTI's, or a folder with KISS-ICP's results (default: that of "
+      "the recording)");
   command.option("--points", request.recording.points, "topic of a bag with the scans");
   command.option("--poses-topic", request.recording.poses_topic,
                  "topic of a bag with the poses: TF, odometry or poses");

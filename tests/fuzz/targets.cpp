@@ -27,7 +27,9 @@ class Folder {
     const fs::path memory = "/dev/shm";
     path_ = (fs::is_directory(memory) ? memory : fs::temp_directory_path()) /
             ("ldm_fuzz_" + std::to_string(getpid()));
-    fs::create_directories(path_ / "velodyne");
+    for (const char* inner : {"velodyne", "raw/velodyne_points/data", "raw/oxts/data"}) {
+      fs::create_directories(path_ / inner);
+    }
   }
   ~Folder() {
     std::error_code ignored;  // a stray folder does no harm
@@ -50,6 +52,20 @@ fs::path write(const std::string& name, const std::string& bytes) {
   const fs::path file = folder() / name;
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
   return file;
+}
+
+/// What stands between lines of three dashes; behind the last of them, whatever it is.
+std::vector<std::string> parts_of(const std::string& bytes, std::size_t count) {
+  constexpr std::string_view kBetween = "---\n";
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (parts.size() + 1 < count) {
+    const std::size_t end = std::min(bytes.find(kBetween, begin), bytes.size());
+    parts.push_back(bytes.substr(begin, end - begin));
+    begin = std::min(end + kBetween.size(), bytes.size());
+  }
+  parts.push_back(bytes.substr(begin));
+  return parts;
 }
 
 /// Refusing is right, if it is done in one line.
@@ -108,14 +124,7 @@ void trajectory(const std::string& bytes) {
 }
 
 void kitti(const std::string& bytes) {
-  constexpr std::string_view kBetween = "---\n";
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t end = std::min(bytes.find(kBetween, begin), bytes.size());
-    parts.push_back(bytes.substr(begin, end - begin));
-    begin = std::min(end + kBetween.size(), bytes.size());
-  }
+  const std::vector<std::string> parts = parts_of(bytes, 4);
   write("times.txt", parts[0]);
   write("poses.txt", parts[1]);
   if (parts[2].empty()) {
@@ -123,8 +132,8 @@ void kitti(const std::string& bytes) {
   } else {
     write("calib.txt", parts[2]);
   }
-  write("velodyne/000000.bin", bytes.substr(begin));
-  write("velodyne/000001.bin", bytes.substr(begin));
+  write("velodyne/000000.bin", parts[3]);
+  write("velodyne/000001.bin", parts[3]);
   datasets::RecordingOptions options;
   options.input.ground.removal = datasets::GroundRemoval::kGrid;
   options.input.ground.cell = 8;  // few cells: many inputs a second
@@ -145,6 +154,30 @@ void mcap_bag(const std::string& bytes) {
 }
 void sqlite_bag(const std::string& bytes) {
   read_recording(write("fuzz.db3", bytes), {});
+}
+
+void kitti_raw(const std::string& bytes) {
+  const std::vector<std::string> parts = parts_of(bytes, 5);
+  write("raw/velodyne_points/timestamps.txt", parts[0]);
+  write("raw/oxts/timestamps.txt", parts[1]);
+  write("raw/calib_imu_to_velo.txt", parts[2]);
+  for (const char* name : {"0000000000", "0000000001"}) {
+    write(std::string("raw/oxts/data/") + name + ".txt", parts[3]);
+    write(std::string("raw/velodyne_points/data/") + name + ".bin", parts[4]);
+  }
+  read_recording(folder() / "raw", {});
+}
+
+void pcap(const std::string& bytes) {
+  const std::vector<std::string> parts = parts_of(bytes, 2);
+  if (parts[0].empty()) {
+    fs::remove(folder() / "fuzz.json");
+  } else {
+    write("fuzz.json", parts[0]);
+  }
+  datasets::RecordingOptions options;
+  options.input.poses = datasets::PoseSource::kStill;
+  read_recording(write("fuzz.pcap", parts[1]), options);
 }
 
 }  // namespace fuzz

@@ -16,6 +16,11 @@ void mrpt_log(const std::string& bytes);  ///< a rawlog, plain or compressed
 void ros1_bag(const std::string& bytes);
 void mcap_bag(const std::string& bytes);
 void sqlite_bag(const std::string& bytes);
+/// Both timestamps.txt of a raw recording of KITTI's, its calibration, a file of oxts/ and a scan,
+/// so divided.
+void kitti_raw(const std::string& bytes);
+/// Metadata of an Ouster sensor, or nothing, and a capture file, so divided.
+void pcap(const std::string& bytes);
 
 /// Every target with its name, which is that of its corpus.
 inline constexpr std::pair<std::string_view, void (*)(const std::string&)> kTargets[] = {
@@ -25,6 +30,8 @@ inline constexpr std::pair<std::string_view, void (*)(const std::string&)> kTarg
     {"mrpt_log", mrpt_log},
     {"ros1_bag", ros1_bag},
     {"mcap_bag", mcap_bag},
-    {"sqlite_bag", sqlite_bag}};
+    {"sqlite_bag", sqlite_bag},
+    {"kitti_raw", kitti_raw},
+    {"pcap", pcap}};
 
 }  // namespace fuzz

@@ -140,15 +140,7 @@ class MrptLogReader : public ScanReader {
   void take(const Waiting& waiting, ldm::Scan& scan) {
     scan.time = waiting.time;
     const ldm::Pose T_world_uav = vehicle_at(waiting.time);
-    ldm::Pose mount = mount_of(parameters_.sensor);
-    if (parameters_.sensor.from_log) {
-      if (!mount.translation.isZero() || !mount.rotation.isIdentity(1e-12)) {
-        throw ldm::InvalidInput(place_ +
-                                ": the log says where its sensor sits: allowed: input.sensor.* as "
-                                "they are, or input.sensor.from_log = false");
-      }
-      mount = mount_in(*waiting.observation);
-    }
+    const ldm::Pose mount = mount_of(parameters_.sensor, mount_in(*waiting.observation), place_);
     set_poses(T_world_uav, PosesOf::kVehicle, mount, scan);
     const std::string failure =
         datasets::take_scan(*waiting.observation, parameters_.rotating, scan);

@@ -5,7 +5,7 @@
 
 #include "datasets/recording/formats/pcd_file.h"
 #include "datasets/recording/formats/scan_folder_reader.h"
-#include "datasets/recording/formats/scan_names.h"
+#include "datasets/recording/scans/scan_names.h"
 
 namespace datasets {
 
@@ -19,7 +19,7 @@ std::unique_ptr<ScanReader> open_pcd_folder(const std::filesystem::path& folder,
     read_scan_file(file, content);
     parse_pcd(content, file.string(), points);
   };
-  scans.timeline = timeline_files(folder, options);
+  scans.timeline = timeline_files(folder / "times.txt", folder / "poses.txt", options);
   return std::make_unique<ScanFolderReader>(std::move(scans), options);
 }
 

@@ -4,19 +4,21 @@
 #include <cstring>
 #include <fstream>
 
-#include "datasets/recording/formats/scan_names.h"
 #include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/given_trajectory.h"
+#include "datasets/recording/scans/scan_names.h"
 #include "datasets/recording/scans/sensor_mount.h"
 
 namespace datasets {
 
 ScanFolderReader::ScanFolderReader(ScanFolder folder, const RecordingOptions& options)
     : folder_(std::move(folder)),
-      T_uav_sensor_(mount_of(options.input.sensor)),
-      // At rest it is the vehicle that stands at the origin, whatever poses would be.
-      poses_of_(options.input.poses == PoseSource::kStill ? PosesOf::kVehicle
-                                                          : options.input.poses_of),
+      T_uav_sensor_(mount_of(options.input.sensor, folder_.T_uav_sensor, folder_.folder.string())),
+      poses_of_(options.input.poses_of == PosesOf::kAuto ? folder_.poses_of
+                                                         : options.input.poses_of),
       timeline_(folder_.timeline, options.input, options.time_unit) {
+  // At rest it is the vehicle that stands at the origin, whatever poses would be.
+  if (options.input.poses == PoseSource::kStill) poses_of_ = PosesOf::kVehicle;
   if (poses_of_ == PosesOf::kCamera && !folder_.T_sensor_camera) {
     throw ldm::InvalidInput("input.poses_of = camera: allowed: in a KITTI folder with a calib.txt");
   }
@@ -43,7 +45,13 @@ bool ScanFolderReader::next(Frame& frame) {
   }
   const StampedPose stamped = timeline_.read();
   frame.scan.time = stamped.time;
-  set_poses(sensor_or_vehicle(stamped.pose), poses_of_, T_uav_sensor_, frame.scan);
+  ldm::Pose pose = stamped.pose;
+  if (!folder_.poses.empty()) {
+    const auto& known = folder_.poses[static_cast<std::size_t>(frame.index)];
+    if (!known) throw BrokenFrame("no pose", timeline_.place() + ": no pose in nuScenes' tables");
+    pose = *known;
+  }
+  set_poses(sensor_or_vehicle(pose), poses_of_, T_uav_sensor_, frame.scan);
   frame.scan.points.clear();
   frame.scan.no_returns.clear();
   folder_.load(folder_.folder / name, frame.scan.points);
@@ -51,23 +59,22 @@ bool ScanFolderReader::next(Frame& frame) {
 }
 
 ldm::Pose ScanFolderReader::sensor_or_vehicle(const ldm::Pose& pose) const {
-  const bool camera = poses_of_ == PosesOf::kCamera || poses_of_ == PosesOf::kAuto;
-  if (!camera || !folder_.T_sensor_camera) return pose;
+  if (poses_of_ != PosesOf::kCamera) return pose;
   // T_world_camera as seen from the sensor: the world's axes are then the first sensor's as well.
   return composed(composed(*folder_.T_sensor_camera, pose), inverse(*folder_.T_sensor_camera));
 }
 
-TimelineFiles timeline_files(const std::filesystem::path& folder, const RecordingOptions& options) {
-  TimelineFiles files{options.poses, options.times};
-  const std::filesystem::path times = folder / "times.txt", poses = folder / "poses.txt";
+TimelineFiles timeline_files(const std::filesystem::path& times, const std::filesystem::path& poses,
+                             const RecordingOptions& options) {
+  TimelineFiles files{options.poses, options.times, {}};
   if (!files.times && std::filesystem::exists(times)) files.times = times;
-  if (files.trajectory || options.input.poses == PoseSource::kStill) return files;
-  if (!std::filesystem::exists(poses)) {
+  if (options.input.poses == PoseSource::kStill) return files;
+  if (!files.trajectory && !std::filesystem::exists(poses)) {
     throw ldm::InvalidInput(poses.string() +
                             ": is missing: allowed: a trajectory there, --poses FILE, or --set "
                             "input.poses=still for a sensor at rest");
   }
-  files.trajectory = poses;
+  files.trajectory = trajectory_in(files.trajectory.value_or(poses));
   return files;
 }
 

@@ -21,7 +21,11 @@ struct ScanFolder {
   /// Reads the points of one file, in the order of the file; throws BrokenFrame.
   std::function<void(const std::filesystem::path&, std::vector<ldm::Point>&)> load;
   TimelineFiles timeline;
-  std::optional<ldm::Pose> T_sensor_camera;  ///< the poses are those of a camera that sits here
+  /// Of the scans, where no trajectory has them; empty, or one for each.
+  std::vector<std::optional<ldm::Pose>> poses;
+  PosesOf poses_of = PosesOf::kSensor;       ///< whose poses they are if nobody says otherwise
+  std::optional<ldm::Pose> T_sensor_camera;  ///< of the camera, if kCamera
+  std::optional<ldm::Pose> T_uav_sensor;     ///< if the recording says it
 };
 
 class ScanFolderReader : public ScanReader {
@@ -47,9 +51,10 @@ class ScanFolderReader : public ScanReader {
   std::int64_t next_ = 0;
 };
 
-/// FOLDER/poses.txt and FOLDER/times.txt, or what the options name instead.
+/// What the options name, else these, which need not be there.
 /// @throws ldm::InvalidInput if poses are needed and missing.
-TimelineFiles timeline_files(const std::filesystem::path& folder, const RecordingOptions& options);
+TimelineFiles timeline_files(const std::filesystem::path& times, const std::filesystem::path& poses,
+                             const RecordingOptions& options);
 
 /// The bytes of a scan file.
 /// @throws BrokenFrame if it is missing, cannot be read, or is larger than 2 GB.

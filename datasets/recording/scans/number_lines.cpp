@@ -9,6 +9,7 @@
 
 #include "datasets/files/text.h"
 #include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/date_time.h"
 
 namespace datasets {
 namespace {
@@ -28,6 +29,15 @@ bool is_of_words(std::string_view line) {
     if (number_in(word)) return false;
   }
   return true;
+}
+
+/// The date with a time of day that a line is.
+std::optional<double> date_time_in(std::string_view line) {
+  std::string text(next_word(line));
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+    text.append(" ").append(word);
+  }
+  return seconds_of_date_time(text);
 }
 
 bool is_data(std::string_view line) {
@@ -62,7 +72,7 @@ bool NumberLines::advance() {
       line_.erase(0, kByteOrderMark.size());
     }
     if (!is_data(line_)) continue;
-    const bool header = !begun_ && is_of_words(line_);
+    const bool header = !begun_ && is_of_words(line_) && !date_time_in(line_);
     begun_ = true;
     if (!header) return true;
   }
@@ -85,6 +95,11 @@ const std::vector<double>& NumberLines::numbers(std::size_t count, const std::st
     reject(reason, std::to_string(numbers_.size()) + " numbers: allowed: " + std::to_string(count));
   }
   return numbers_;
+}
+
+double NumberLines::time(double unit, const std::string& reason) {
+  if (const auto date_time = date_time_in(line_)) return *date_time;
+  return unit * numbers(1, reason).front();
 }
 
 std::size_t NumberLines::words() const {

@@ -28,6 +28,9 @@ class NumberLines {
   /// @param reason under which a bad line is counted
   /// @throws BrokenFrame unless there are that many of them.
   const std::vector<double>& numbers(std::size_t count, const std::string& reason);
+  /// The time that the line is: a number of `unit` [s], or a date with a time of day. [s]
+  /// @throws BrokenFrame, as `numbers` does, if it is none.
+  double time(double unit, const std::string& reason);
   /// How many words the line has.
   std::size_t words() const;
   /// `file:line`, or the line after the last.

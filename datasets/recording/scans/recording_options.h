@@ -10,13 +10,13 @@
 
 namespace datasets {
 
-enum class RecordingFormat { kLdmRawlog, kMrptRawlog, kKitti, kPcd, kBag };
-inline constexpr std::string_view kRecordingFormatNames[] = {"ldm-rawlog", "mrpt-rawlog", "kitti",
-                                                             "pcd", "bag"};
+enum class RecordingFormat { kLdmRawlog, kMrptRawlog, kKitti, kKittiRaw, kBin, kPcd, kBag, kPcap };
+inline constexpr std::string_view kRecordingFormatNames[] = {
+    "ldm-rawlog", "mrpt-rawlog", "kitti", "kitti-raw", "bin", "pcd", "bag", "pcap"};
 
 struct RecordingOptions {
   std::optional<RecordingFormat> format;       ///< absent: recognised
-  std::optional<std::filesystem::path> poses;  ///< trajectory, if not FOLDER/poses.txt
+  std::optional<std::filesystem::path> poses;  ///< as `trajectory_in` takes it
   std::optional<std::filesystem::path> times;  ///< if not FOLDER/times.txt
   std::optional<TimeUnit> time_unit;           ///< of those two files; absent: seconds, checked
   // Of a bag; absent: chosen where there is no choice.

@@ -1,40 +1,49 @@
 #include "datasets/recording/scans/scan_timeline.h"
 
+#include <algorithm>
+#include <sstream>
+
 #include "datasets/files/text.h"
 #include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/given_trajectory.h"
 
 namespace datasets {
 
 ScanTimeline::ScanTimeline(const TimelineFiles& files, const InputParameters& parameters,
                            std::optional<TimeUnit> unit)
-    : files_(files),
-      longest_gap_(parameters.pose_gap),
-      unit_(seconds_in(unit.value_or(TimeUnit::kSeconds))) {
+    : files_(files), longest_gap_(parameters.pose_gap) {
   if (parameters.poses == PoseSource::kOdometry) {
     throw ldm::InvalidInput(
         "input.poses = odometry: allowed: with an MRPT log; log or still with a folder of scans");
   }
   if (parameters.poses == PoseSource::kStill) files_.trajectory.reset();
-  if (files_.trajectory) poses_.emplace(*files_.trajectory);
-  const bool has_times = poses_ && poses_->has_times();
   if (files_.times) {
     times_.emplace(*files_.times);
-  } else if (!has_times) {
+    time_count_ = count_lines(*files_.times);
+    unit_ = seconds_in(unit.value_or(TimeUnit::kSeconds));
+    if (!unit) check_seconds(*files_.times, 1);
+  } else if (const std::string& names = files_.times_of_names; !names.empty()) {
+    times_.emplace(std::make_unique<std::istringstream>(names), "times in the names of the scans");
+    time_count_ = std::count(names.begin(), names.end(), '\n');
+    files_.times = "times in the names of the scans";
+  }
+  bool has_times = false;
+  if (files_.trajectory) {
+    poses_ = open_trajectory(*files_.trajectory, unit);
+    has_times = poses_->has_times() && !counts_scans(*files_.trajectory, time_count_);
+  }
+  if (!times_ && (!has_times || std::filesystem::is_directory(*files_.trajectory))) {
     throw ldm::InvalidInput(
-        (files_.trajectory ? files_.trajectory->string() + ": has no times"
+        (files_.trajectory ? files_.trajectory->string() + ": has no times of the scans"
                            : std::string("input.poses = still: needs times")) +
         ": allowed: with times.txt in the folder of the scans, or --times FILE");
   }
-  if (!unit && files_.times) check_seconds(*files_.times, 1);
-  if (!unit && has_times) check_seconds(*files_.trajectory, TrajectoryFile::kTumNumbers);
-  if (!times_ || !has_times) return;
-  track_.emplace(std::move(*poses_), unit_);
-  poses_.reset();
+  if (times_ && has_times) track_.emplace(std::move(poses_));
 }
 
 ScanTimeline::Lines ScanTimeline::lines() const {
-  if (!files_.times) return {*files_.trajectory, count_lines(*files_.trajectory)};
-  Lines times{*files_.times, count_lines(*files_.times)};
+  if (!times_) return {*files_.trajectory, count_lines(*files_.trajectory)};
+  Lines times{*files_.times, time_count_};
   if (!poses_) return times;
   const std::int64_t poses = count_lines(*files_.trajectory);
   if (poses == times.count) return times;
@@ -50,12 +59,12 @@ void ScanTimeline::advance() {
 
 StampedPose ScanTimeline::read() {
   StampedPose result;
-  if (times_) result.time = unit_ * times_->numbers(1, "bad time").front();
+  if (times_) result.time = times_->time(unit_, "bad time");
   if (track_) result.pose = pose_at(result.time);
   if (!poses_) return result;
   const StampedPose line = poses_->pose();
   result.pose = line.pose;
-  if (!times_) result.time = unit_ * line.time;
+  if (!times_) result.time = line.time;
   return result;
 }
 

@@ -3,6 +3,7 @@
 /// paper section).
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,12 +15,14 @@ namespace datasets {
 
 /// The files that tell it; where `times` is absent, the trajectory has them.
 struct TimelineFiles {
-  std::optional<std::filesystem::path> trajectory;  ///< absent: input.poses = still
-  std::optional<std::filesystem::path> times;       ///< one time a line [s]
+  /// As `trajectory_in` gives it; absent: input.poses = still.
+  std::optional<std::filesystem::path> trajectory;
+  std::optional<std::filesystem::path> times;  ///< one time a line
+  std::string times_of_names;  ///< else the text of such a file, in seconds; or empty
 };
 
-/// Time and pose of scan after scan. A trajectory with times of its own (TUM) is interpolated at
-/// those of `times`; in any other case line k belongs to scan k.
+/// Time and pose of scan after scan. A trajectory with times of its own (TUM, oxts) is interpolated
+/// at those of `times`; in any other case line k belongs to scan k.
 class ScanTimeline {
  public:
   /// @throws ldm::InvalidInput if a file cannot be read, if there is no source of times or poses,
@@ -50,7 +53,8 @@ class ScanTimeline {
   double longest_gap_;
   double unit_ = 1;  // of the times [s]
   std::optional<NumberLines> times_;
-  std::optional<TrajectoryFile> poses_;   // one a scan
+  std::int64_t time_count_ = 0;
+  std::unique_ptr<PoseSequence> poses_;   // one a scan
   std::optional<TrajectoryTrack> track_;  // or at the times
 };
 

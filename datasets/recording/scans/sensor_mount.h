@@ -2,6 +2,8 @@
 /// From the pose that a recording knows to those a scan needs (paper Sec. 3.1).
 #include <Eigen/Geometry>
 #include <numbers>
+#include <optional>
+#include <string>
 
 #include "datasets/quaternion_pose.h"
 #include "datasets/recording/scans/input_parameters.h"
@@ -17,6 +19,19 @@ inline ldm::Pose mount_of(const SensorMountParameters& p) {
            turn(p.roll, Eigen::Vector3d::UnitX()))
               .toRotationMatrix(),
           {p.x, p.y, p.z}};
+}
+
+/// The same where the recording says it, unless input.sensor.from_log = false.
+/// @param place in the recording, for messages
+/// @throws ldm::InvalidInput if input.sensor.* says it as well.
+inline ldm::Pose mount_of(const SensorMountParameters& p, const std::optional<ldm::Pose>& recorded,
+                          const std::string& place) {
+  const ldm::Pose given = mount_of(p);
+  if (!recorded || !p.from_log) return given;
+  if (given.translation.isZero() && given.rotation.isIdentity(1e-12)) return *recorded;
+  throw ldm::InvalidInput(place +
+                          ": the log says where its sensor sits: allowed: input.sensor.* as they "
+                          "are, or input.sensor.from_log = false");
 }
 
 /// @param pose in the world: of the vehicle if `of` says so, else of the sensor

@@ -39,10 +39,11 @@ std::optional<ldm::Pose> kitti_pose(const std::vector<double>& numbers) {
   return ldm::Pose{*rotation, matrix.col(3)};
 }
 
-TrajectoryFile::TrajectoryFile(const std::filesystem::path& file)
-    : TrajectoryFile(NumberLines(file)) {}
+TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, double unit)
+    : TrajectoryFile(NumberLines(file), unit) {}
 
-TrajectoryFile::TrajectoryFile(NumberLines lines) : lines_(std::move(lines)) {
+TrajectoryFile::TrajectoryFile(NumberLines lines, double unit)
+    : lines_(std::move(lines)), unit_(unit) {
   ended_ = !lines_.advance();
   const std::size_t words = lines_.words();
   has_times_ = words == kTumNumbers;
@@ -75,7 +76,7 @@ StampedPose TrajectoryFile::pose() {
     lines_.reject(kBadPose, "quaternion of norm " + decimal(q.norm()) + ": allowed: 1");
   }
   q.normalize();
-  return {n[0], {q.toRotationMatrix(), {n[1], n[2], n[3]}}};
+  return {unit_ * n[0], {q.toRotationMatrix(), {n[1], n[2], n[3]}}};
 }
 
 bool PoseTrack::add(const StampedPose& pose) {

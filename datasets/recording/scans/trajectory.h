@@ -28,28 +28,41 @@ std::optional<Eigen::Matrix3d> nearest_rotation(const Eigen::Matrix3d& m);
 inline constexpr std::size_t kKittiNumbers = 12;
 std::optional<ldm::Pose> kitti_pose(const std::vector<double>& numbers);
 
+/// Poses one after the other, in order of time.
+class PoseSequence {
+ public:
+  virtual ~PoseSequence() = default;
+
+  virtual bool has_times() const = 0;
+  /// To the next pose (in the beginning, to the first); false at the end.
+  virtual bool advance() = 0;
+  /// With time 0 if the poses have no times.
+  /// @throws BrokenFrame naming place and what is wrong.
+  virtual StampedPose pose() = 0;
+  /// Where that pose stands, for messages.
+  virtual std::string place() const = 0;
+};
+
 /// Reads a trajectory line by line: TUM's (time x y z qx qy qz qw) or KITTI's (three rows of a
-/// 3 x 4 matrix, without a time). Lengths in metres, times in seconds.
-class TrajectoryFile {
+/// 3 x 4 matrix, without a time). Lengths in metres.
+class TrajectoryFile : public PoseSequence {
  public:
   static constexpr std::size_t kTumNumbers = 8;
 
   /// The first line tells which of the two it is.
+  /// @param unit of its times [s]
   /// @throws ldm::InvalidInput if the file cannot be read, or its first line is neither.
-  explicit TrajectoryFile(const std::filesystem::path& file);
-  explicit TrajectoryFile(NumberLines lines);
+  explicit TrajectoryFile(const std::filesystem::path& file, double unit = 1);
+  explicit TrajectoryFile(NumberLines lines, double unit = 1);
 
-  bool has_times() const { return has_times_; }
-  /// To the next line (in the beginning, to the first); false at the end.
-  bool advance();
-  /// The pose of the line, with time 0 if the file has no times.
-  /// @throws BrokenFrame naming file, line and what is wrong.
-  StampedPose pose();
-  /// `file:line`
-  std::string place() const { return lines_.place(); }
+  bool has_times() const override { return has_times_; }
+  bool advance() override;
+  StampedPose pose() override;
+  std::string place() const override { return lines_.place(); }
 
  private:
   NumberLines lines_;
+  double unit_;
   bool has_times_ = false;
   bool at_first_ = true;  // the constructor stands on the first line already
   bool ended_ = false;

@@ -6,12 +6,10 @@
 namespace datasets {
 
 std::optional<ldm::Pose> TrajectoryTrack::at(double time, double longest_gap) {
-  while (!track_.covers(time) && file_.advance()) {
-    StampedPose pose = file_.pose();
-    pose.time *= unit_;
-    if (!track_.add(pose)) {
+  while (!track_.covers(time) && poses_->advance()) {
+    if (!track_.add(poses_->pose())) {
       throw BrokenFrame("bad pose",
-                        file_.place() + ": its time lies before that of the pose before it");
+                        poses_->place() + ": its time lies before that of the pose before it");
     }
   }
   return track_.at(time, longest_gap);

@@ -1,6 +1,7 @@
 #pragma once
-/// A trajectory file as poses at any time (no paper section).
+/// A trajectory as poses at any time (no paper section).
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,12 +11,10 @@
 
 namespace datasets {
 
-/// Poses of a file with times, read as far as they are asked for.
+/// Poses with times, read as far as they are asked for.
 class TrajectoryTrack {
  public:
-  /// @param file with times
-  /// @param unit of them [s]
-  TrajectoryTrack(TrajectoryFile file, double unit) : file_(std::move(file)), unit_(unit) {}
+  explicit TrajectoryTrack(std::unique_ptr<PoseSequence> poses) : poses_(std::move(poses)) {}
 
   /// As `PoseTrack::at`. @throws BrokenFrame naming the line that is broken.
   std::optional<ldm::Pose> at(double time, double longest_gap);
@@ -23,8 +22,7 @@ class TrajectoryTrack {
   std::string around(double time) const { return track_.around(time); }
 
  private:
-  TrajectoryFile file_;
-  double unit_;
+  std::unique_ptr<PoseSequence> poses_;
   PoseTrack track_;
 };
 

@@ -17,6 +17,13 @@ TEST_F(Recordings, TheFormatIsRecognised) {
   write("a/velodyne/000000.bin", "");
   EXPECT_EQ(recognised_format(folder_ / "a"), RecordingFormat::kKitti);
   write("b/1.pcd", "");
+  write("k/velodyne_points/data/0.bin", "");
+  EXPECT_EQ(recognised_format(folder_ / "k"), RecordingFormat::kKittiRaw);
+  write("n/1.BIN", "");
+  EXPECT_EQ(recognised_format(folder_ / "n"), RecordingFormat::kBin);
+  for (const char* name : {"i.pcap", "j.PCAPNG"}) {
+    EXPECT_EQ(recognised_format(write(name, "")), RecordingFormat::kPcap) << name;
+  }
   EXPECT_EQ(recognised_format(folder_ / "b"), RecordingFormat::kPcd);
   const fs::path log = write("c.rawlog", "");
   EXPECT_EQ(recognised_format(log), RecordingFormat::kMrptRawlog);

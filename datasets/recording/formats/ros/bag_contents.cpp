@@ -8,6 +8,7 @@
 #include "datasets/files/text.h"
 #include "datasets/recording/formats/ros/cloud_message.h"
 #include "datasets/recording/scans/broken_frame.h"
+#include "datasets/recording/scans/given_trajectory.h"
 #include "datasets/recording/scans/sensor_mount.h"
 
 namespace datasets {
@@ -97,8 +98,9 @@ class Planner {
   void choose_poses() {
     if (options_.input.poses == PoseSource::kStill) return;
     if (options_.poses) {
-      plan_.poses =
-          TrajectoryFile(*options_.poses).has_times() ? BagPoses::kFile : BagPoses::kLines;
+      open_trajectory(trajectory_in(*options_.poses),
+                      options_.time_unit);  // which says if it is none
+      plan_.poses = BagPoses::kFile;
       return;
     }
     if (options_.poses_topic) return take_topic(*options_.poses_topic);
@@ -238,9 +240,7 @@ std::string text_of(const BagPlan& plan) {
     case BagPoses::kStill:
       return text + "at rest";
     case BagPoses::kFile:
-      return text + "poses of a file at the scans' times";
-    case BagPoses::kLines:
-      return text + "poses of a file, one for each scan";
+      return text + "poses of a file";
     case BagPoses::kTf:
       return text + "poses of TF in " + plan.world_frame;
     default:

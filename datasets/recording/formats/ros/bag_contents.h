@@ -30,13 +30,7 @@ struct BagContents {
 /// @throws ldm::InvalidInput if it cannot be read; damage ends it.
 BagContents read_contents(const std::filesystem::path& path, bool whole);
 
-enum class BagPoses {
-  kStill,
-  kFile,   ///< with times
-  kLines,  ///< of a file without: line k is the pose of scan k
-  kTf,
-  kTopic
-};
+enum class BagPoses { kStill, kFile, kTf, kTopic };
 
 struct BagPlan {
   std::string points;        ///< topic of the scans

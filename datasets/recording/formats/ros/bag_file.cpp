@@ -6,7 +6,7 @@
 #include "datasets/recording/formats/ros/mcap_bag.h"
 #include "datasets/recording/formats/ros/ros1_bag.h"
 #include "datasets/recording/formats/ros/sqlite_bag.h"
-#include "datasets/recording/formats/scan_names.h"
+#include "datasets/recording/scans/scan_names.h"
 #include "ldm/types.h"
 
 namespace datasets {

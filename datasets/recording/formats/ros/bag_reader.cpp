@@ -10,8 +10,9 @@
 #include "datasets/recording/formats/ros/cloud_message.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/deskew.h"
+#include "datasets/recording/scans/given_trajectory.h"
+#include "datasets/recording/scans/scan_trajectory.h"
 #include "datasets/recording/scans/sensor_mount.h"
-#include "datasets/recording/scans/trajectory_track.h"
 
 namespace datasets {
 namespace {
@@ -23,19 +24,13 @@ class BagTrajectory {
  public:
   BagTrajectory(const BagPlan& plan, const RecordingOptions& options)
       : plan_(plan), longest_gap_(options.input.pose_gap) {
-    if (plan_.poses == BagPoses::kLines) lines_.emplace(*options.poses);
-    if (plan_.poses != BagPoses::kFile) return;
-    if (!options.time_unit) check_seconds(*options.poses, TrajectoryFile::kTumNumbers);
-    file_.emplace(TrajectoryFile(*options.poses),
-                  seconds_in(options.time_unit.value_or(TimeUnit::kSeconds)));
+    if (plan_.poses == BagPoses::kFile) file_.emplace(options);
   }
 
   /// Where the poses have a line for each scan: takes that of the next one.
   /// @throws BrokenFrame naming the line that is broken.
   void take_scan(double stamp) {
-    if (!lines_) return;
-    lines_->advance();
-    track_.add({stamp, lines_->pose().pose});
+    if (file_) file_->take_scan(stamp);
   }
 
   /// Takes a message of TF, or of the topic with the poses.
@@ -59,8 +54,7 @@ class BagTrajectory {
     if (plan_.poses == BagPoses::kTf) {
       return tree_.covers(plan_.sensor_frame, plan_.world_frame, time);
     }
-    const bool tracked = plan_.poses == BagPoses::kTopic || plan_.poses == BagPoses::kLines;
-    return !tracked || track_.covers(time);
+    return file_ ? file_->covers(time) : plan_.poses == BagPoses::kStill || track_.covers(time);
   }
 
   /// Sets the poses of `scan` at a time. @return false if there are none, and `gap` says where
@@ -73,12 +67,11 @@ class BagTrajectory {
       return true;
     }
     std::optional<ldm::Pose> pose = ldm::Pose();
-    if (plan_.poses == BagPoses::kTopic || lines_) pose = track_.at(time, longest_gap_);
-    if (plan_.poses == BagPoses::kFile) pose = file_->at(time, longest_gap_);
+    if (plan_.poses == BagPoses::kTopic) pose = track_.at(time, longest_gap_);
+    if (file_) pose = file_->at(time, longest_gap_);
     if (!pose) {
-      gap = plan_.poses == BagPoses::kTopic
-                ? plan_.poses_topic + " has " + track_.around(time)
-                : "the file of --poses has " + (file_ ? file_->around(time) : track_.around(time));
+      gap = file_ ? "the file of --poses has " + file_->around(time)
+                  : plan_.poses_topic + " has " + track_.around(time);
       return false;
     }
     set_poses(*pose, plan_.of_sensor ? PosesOf::kSensor : PosesOf::kVehicle, plan_.T_vehicle_sensor,
@@ -91,8 +84,7 @@ class BagTrajectory {
   double longest_gap_;
   FrameTree tree_;
   PoseTrack track_;
-  std::optional<TrajectoryTrack> file_;
-  std::optional<TrajectoryFile> lines_;
+  std::optional<ScanTrajectory> file_;
   std::vector<StampedTransform> transforms_;
 };
 
@@ -232,26 +224,26 @@ class BagReader : public ScanReader {
 /// Of a file with a line for each scan the bag is read once before: a line too few or too many
 /// would give each scan behind it the pose of another.
 void check_lines(const std::filesystem::path& path, const RecordingOptions& options) {
-  if (TrajectoryFile(*options.poses).has_times()) return;
+  if (!counts_scans(*options.poses, 0)) return;
   const BagContents contents = read_contents(path, true);
   const std::int64_t scans = contents.find(plan_of(path, contents, options).points)->messages;
-  const std::int64_t lines = count_lines(*options.poses);
-  if (lines == scans) return;
-  throw ldm::InvalidInput(options.poses->string() + ": " + std::to_string(lines) +
-                          " lines: allowed: " + std::to_string(scans) + ", one for each scan of " +
-                          path.string() + ", or a trajectory with times (TUM)");
+  check_pose_count(options, scans, path.string());
 }
 
 }  // namespace
 
 std::unique_ptr<ScanReader> open_bag_recording(const std::filesystem::path& path,
                                                const RecordingOptions& options) {
-  if (options.poses) check_lines(path, options);
+  RecordingOptions resolved = options;
+  if (options.poses) {
+    resolved.poses = trajectory_in(*options.poses);
+    check_lines(path, resolved);
+  }
   if (options.times) {
     throw ldm::InvalidInput("--times " + options.times->string() +
                             ": allowed: with a folder of scans; a bag has its own");
   }
-  return std::make_unique<BagReader>(path, options);
+  return std::make_unique<BagReader>(path, resolved);
 }
 
 }  // namespace datasets

@@ -3,8 +3,8 @@
 /// writes it; no paper section).
 #include <string>
 
+#include "datasets/recording/formats/bytes.h"
 #include "datasets/recording/formats/ros/bag_file.h"
-#include "datasets/recording/formats/ros/bytes.h"
 
 namespace datasets {
 

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "datasets/recording/formats/ros/bytes.h"
+#include "datasets/recording/formats/bytes.h"
+#include "datasets/recording/formats/record_file.h"
 #include "datasets/recording/formats/ros/decompression.h"
-#include "datasets/recording/formats/ros/record_file.h"
 #include "ldm/types.h"
 
 namespace datasets {

@@ -48,7 +48,8 @@ TEST_F(PcdFolder, ATumTrajectoryInterpolatedAtItsTimes) {
 
 TEST_F(PcdFolder, AKittiTrajectoryNeedsTimes) {
   write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n");
-  EXPECT_NE(failure().find("poses.txt: has no times: allowed: with times.txt"), std::string::npos);
+  EXPECT_NE(failure().find("poses.txt: has no times of the scans: allowed: with times.txt"),
+            std::string::npos);
   options_.times = write("clock.txt", "0\n0.1\n0.2\n");
   EXPECT_EQ(frames().at(2).scan.T_world_sensor.translation, Eigen::Vector3d(2, 0, 0));
 }

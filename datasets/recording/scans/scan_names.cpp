@@ -1,4 +1,4 @@
-#include "datasets/recording/formats/scan_names.h"
+#include "datasets/recording/scans/scan_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -46,11 +46,12 @@ std::string_view take_fraction(std::string_view& text) {
 
 /// The number that a name is, without its ending.
 std::optional<std::int64_t> number_of(const std::string& name) {
-  constexpr std::size_t kMostDigits = 9;  // more are a time
+  constexpr std::size_t kMostDigits = 9;  // more, but for zeros in front, are a time
   const std::string_view stem = std::string_view(name).substr(0, name.rfind('.'));
+  const std::size_t zeros = std::min(stem.find_first_not_of('0'), stem.size());
   std::int64_t number = 0;
   const bool is_one =
-      begins_with_digit(stem) && stem.size() <= kMostDigits && parse_number(stem, number);
+      begins_with_digit(stem) && stem.size() - zeros <= kMostDigits && parse_number(stem, number);
   return is_one ? std::optional(number) : std::nullopt;
 }
 

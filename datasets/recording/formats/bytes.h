@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers and texts in the bytes of a bag: little-endian, one after the other (no paper section).
+/// Numbers and texts in the bytes of a file: little-endian, one after the other (no paper section).
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -8,7 +8,8 @@
 
 namespace datasets {
 
-static_assert(std::endian::native == std::endian::little, "bags are read as they lie in the file");
+static_assert(std::endian::native == std::endian::little,
+              "numbers are read as they lie in the file");
 
 /// The bytes end before the fields that they should hold.
 struct ShortBytes : std::runtime_error {

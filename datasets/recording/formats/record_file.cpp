@@ -1,4 +1,4 @@
-#include "datasets/recording/formats/ros/record_file.h"
+#include "datasets/recording/formats/record_file.h"
 
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/number_lines.h"
@@ -36,7 +36,7 @@ void RecordFile::go_to(std::uint64_t position) {
 }
 
 void RecordFile::require(std::uint64_t count) const {
-  if (count > size_ - position_) reject("the bag is cut short or damaged");
+  if (count > size_ - position_) reject("the file is cut short or damaged");
 }
 
 std::string RecordFile::place() const {

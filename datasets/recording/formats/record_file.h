@@ -1,5 +1,5 @@
 #pragma once
-/// A bag's file, read piece by piece (no paper section).
+/// A binary file, read piece by piece (no paper section).
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

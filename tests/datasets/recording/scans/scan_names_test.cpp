@@ -1,5 +1,5 @@
 /// Scans by their names: natural order, and the lines that belong to them.
-#include "datasets/recording/formats/scan_names.h"
+#include "datasets/recording/scans/scan_names.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +50,8 @@ TEST(ScanNames, NumbersTellWhatIsMissing) {
   EXPECT_EQ(scan_of_each_line({"0.bin", "2.bin"}, 3), (Names{"0.bin", "", "2.bin"}));
   EXPECT_EQ(scan_of_each_line({"05.bin", "07.bin"}, 3), (Names{"05.bin", "", "07.bin"}));
   EXPECT_EQ(scan_of_each_line({"1.bin", "2.bin"}, 3), (Names{"", "1.bin", "2.bin"}));
+  EXPECT_EQ(scan_of_each_line({"0000000000.bin", "0000000002.bin"}, 3),  // as KITTI has them
+            (Names{"0000000000.bin", "", "0000000002.bin"}));
 }
 
 TEST(ScanNames, ElseNothingDoes) {
