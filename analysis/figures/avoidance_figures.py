@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 
 from analysis.data.command_line import parser, report_notes, run
 from analysis.data.records import Study, load_study
-from analysis.figures.figure_style import PAGE_WIDTH, legend_above, method_styles, new_figure, save
+from analysis.figures.figure_style import GREY, PAGE_WIDTH, legend_above, method_styles, new_figure, save
 from analysis.tables.avoidance_table import arms, success, write_table
 
 PANELS = (
@@ -48,7 +48,8 @@ def _order(world: str) -> tuple:
 def success_figure(study: Study) -> Figure:
     """A panel for each list of worlds, an arm a colour: share with its interval."""
     shown = arms(study)
-    styles = method_styles(shown)
+    # Colours are for eight; blind flight is no map's.
+    styles = method_styles([arm for arm in shown if arm != "blind"]) | {"blind": (GREY, "x")}
     worlds = [[w for w in sorted(study.scenarios, key=_order) if re.fullmatch(pattern, w)]
               for _, pattern in PANELS]  # fmt: skip
     kept = [i for i, found in enumerate(worlds) if found]

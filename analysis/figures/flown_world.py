@@ -87,6 +87,8 @@ def flown_figure(flights: list[tuple[pd.DataFrame, pd.DataFrame, dict]]) -> Figu
         axes.set_ylim(-3 - MARGIN_M, 3 + MARGIN_M)
     for axes in panels[len(flights):]:
         axes.set_visible(False)
+    for axes in panels[max(0, len(flights) - COLUMNS):len(flights)]:
+        axes.tick_params(labelbottom=True)  # the lowest of its column
     figure.supxlabel("x (m)", fontsize=8)
     figure.supylabel("y (m)", fontsize=8)
     return figure
