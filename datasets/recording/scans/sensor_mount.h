@@ -26,7 +26,7 @@ inline ldm::Pose mount_of(const SensorMountParameters& p) {
 /// @throws ldm::InvalidInput if input.sensor.* says it as well.
 inline ldm::Pose mount_of(const SensorMountParameters& p, const std::optional<ldm::Pose>& recorded,
                           const std::string& place) {
-  const ldm::Pose given = mount_of(p);
+  ldm::Pose given = mount_of(p);
   if (!recorded || !p.from_log) return given;
   if (given.translation.isZero() && given.rotation.isIdentity(1e-12)) return *recorded;
   throw ldm::InvalidInput(place +

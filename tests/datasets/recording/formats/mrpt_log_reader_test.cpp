@@ -153,7 +153,9 @@ TEST_F(MrptLog, ScansInSensoryFramesAndOtherObservations) {
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].scan.points.at(0), ldm::Point(7, 0, 0));
   EXPECT_NEAR(all[0].scan.T_world_uav.translation.x(), 3, 1e-9);
-  EXPECT_EQ(counts_.other, (InputCounts::ByReason{{"other observations in the log", 3}}));
+  EXPECT_EQ(counts_.other,
+            (InputCounts::ByReason{{"other observations in the log", 3},
+                                   {"scans whose pattern of rays is not certain", 1}}));
   EXPECT_EQ(counts_.other_sensors,
             (InputCounts::ByReason{{"mrpt::obs::CObservationPointCloud `rear`", 1}}));
 }
