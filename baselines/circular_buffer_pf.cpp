@@ -31,6 +31,7 @@ void CircularBufferPf::update(const ldm::Scan& scan, ldm::StageListener* listene
   stage("clustering");
   clustering_.find(map_.log_odds());
   ldm::set_cluster_velocities(cluster_parameters_, index_, particles_, clustering_);
+  tracker_.follow(scan.time, clustering_.clusters());
 }
 
 void CircularBufferPf::read(ldm::LocalMap& map) const {

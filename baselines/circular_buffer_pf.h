@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "baselines/circular_buffer.h"
+#include "ldm/cluster_tracker.h"
 #include "ldm/clustering.h"
 #include "ldm/particles.h"
 
@@ -27,6 +28,7 @@ class CircularBufferPf final : public ldm::Mapper {
   ldm::RingIndex index_;        // where the particles are: follows the map's
   ldm::Particles particles_;
   ldm::Clustering clustering_;
+  ldm::ClusterTracker tracker_;
 };
 
 }  // namespace baselines

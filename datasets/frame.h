@@ -1,5 +1,6 @@
 #pragma once
 /// What every data source yields, frame by frame: the scan, and the truth where it is known.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,8 +35,15 @@ struct ObjectState {
 };
 
 struct Truth {
-  std::vector<ObjectState> objects;         ///< sorted by id
-  std::vector<ldm::Point> noise_free_hits;  ///< where the scan's rays meet obstacles, world [m]
+  std::vector<ObjectState> objects;  ///< sorted by id
+  /// Where the scan's rays meet obstacles, one for each of its points, in their order, world [m].
+  std::vector<ldm::Point> noise_free_hits;
+};
+
+/// Which points of a scan as it was recorded are left.
+struct KeptPoints {
+  std::size_t recorded = 0;        ///< their number before
+  std::vector<std::uint32_t> was;  ///< per point of the scan its position among those, upwards
 };
 
 struct Frame {
@@ -45,6 +53,7 @@ struct Frame {
   /// the frame is relative to it, since maps and clusters are floats. [m]
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   std::optional<Truth> truth;
+  std::optional<KeptPoints> kept;  ///< of a scan that was filtered
 };
 
 /// `origin_m 500000.25 5400000 0`, for files whose coordinates are relative to it; empty for 0.

@@ -46,6 +46,7 @@ void LocalDynamicMap::update(const Scan& scan, StageListener* listener) {
   clustering_.find(log_odds_);
   set_cluster_velocities(parameters_.clusters, log_odds_.index(), particles_, clustering_);
   prediction_.inherit(log_odds_.index(), clustering_);
+  tracker_.follow(scan.time, clustering_.clusters());
 }
 
 /// The map follows the UAV by whole voxels; what leaves it is forgotten.

@@ -2,6 +2,7 @@
 /// The Local Dynamic Map: one frame of Fig. 1, paper Sec. 3.
 #include <optional>
 
+#include "ldm/cluster_tracker.h"
 #include "ldm/cluster_velocity.h"
 #include "ldm/clustering.h"
 #include "ldm/mapper.h"
@@ -36,6 +37,7 @@ class LocalDynamicMap final : public Mapper {
   OccupancyUpdate occupancy_;
   Particles particles_;
   Clustering clustering_;
+  ClusterTracker tracker_;
 };
 
 }  // namespace ldm

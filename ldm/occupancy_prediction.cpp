@@ -36,6 +36,7 @@ OccupancyPrediction::OccupancyPrediction(const MapParameters& map,
   // Room for what is usual; a map with more of it takes more once.
   for (auto* const rests : {&rests_, &old_rests_}) rests->reserve(kUsualClusters);
   motions_.reserve(kUsualClusters);
+  static_.reserve(kUsualClusters);
   shared_.reserve(kUsualClusters);
   taken_.reserve(kUsualVoxels);
   owned_.reserve(kUsualVoxels);
@@ -142,7 +143,7 @@ void OccupancyPrediction::own(const RingIndex& index, const Clustering& clusters
       if (!inside(to, size_)) continue;
       const std::size_t slot = slot_of(index, to);
       owner_[slot] = run.cluster;
-      kept_[slot] = clusters.clusters()[c].dynamic ? 0 : 1;
+      kept_[slot] = static_[c];
       owned_.push_back(slot);
     }
   }
@@ -154,6 +155,8 @@ void OccupancyPrediction::forget(std::size_t first, std::size_t n) {
 }
 
 void OccupancyPrediction::inherit(const RingIndex& index, const Clustering& clusters) {
+  static_.clear();
+  for (const Cluster& cluster : clusters.clusters()) static_.push_back(cluster.dynamic ? 0 : 1);
   old_rests_.swap(rests_);
   rests_.assign(clusters.clusters().size(), Eigen::Vector3f::Zero());
   shared_.assign(old_rests_.size(), 0);

@@ -31,7 +31,8 @@ class OccupancyPrediction {
   /// 1 in each slot in which a static object of k - 1 stands after `predict`, else 0 (for eq. 10).
   std::span<const std::uint8_t> kept() const { return kept_; }
 
-  /// Hand the sub-voxel rests on to the clusters of k, after Clustering::find.
+  /// Remember which clusters of k are static, and hand the sub-voxel rests on to them, once their
+  /// velocities and `dynamic` are set.
   void inherit(const RingIndex& index, const Clustering& clusters);
 
  private:
@@ -58,6 +59,7 @@ class OccupancyPrediction {
   Eigen::Vector3i size_;
   std::vector<Motion> motions_;             // per cluster of k - 1
   std::vector<Eigen::Vector3f> rests_;      // per cluster: displacement not moved yet [voxels]
+  std::vector<std::uint8_t> static_;        // per cluster
   std::vector<Eigen::Vector3f> old_rests_;  // those of k - 1, while inheriting
   std::vector<Taken> taken_;
   std::vector<std::int32_t> owner_;   // per slot: predicted cluster, or -1

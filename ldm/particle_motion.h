@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "ldm/machine/lanes.h"
+#include "ldm/machine/random.h"
 #include "ldm/parameters.h"
 #include "ldm/particle.h"
-#include "ldm/random.h"
 #include "ldm/ring_buffer.h"
 
 namespace ldm {

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "ldm/machine/parallel.h"
+#include "ldm/machine/random.h"
 #include "ldm/parameters.h"
 #include "ldm/particle.h"
 #include "ldm/particle_motion.h"
-#include "ldm/random.h"
 #include "ldm/resampling.h"
 #include "ldm/ring_buffer.h"
 

@@ -14,7 +14,7 @@ namespace ldm {
 /// Version of all that program and plugin both know: this header, mapper.h, types.h and
 /// parameters.h. A plugin of another version is refused. Raised by every change of a type in them,
 /// a new parameter included.
-inline constexpr int kPluginInterface = 1;
+inline constexpr int kPluginInterface = 2;
 
 /// A mapper that can be run and compared by its name.
 struct Method {

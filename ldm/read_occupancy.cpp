@@ -29,4 +29,14 @@ void read_occupancy(const RingBuffer<float>& log_odds, double resolution, LocalM
   }
 }
 
+void count_points(const Scan& scan, LocalMap& map) {
+  for (Cluster& cluster : map.clusters) cluster.points = 0;
+  for (const Point& p : scan.points) {
+    const VoxelIndex v = voxel_at(scan.T_world_sensor * p.cast<double>(), map.resolution);
+    if (!map.window.contains(v)) continue;
+    const std::int32_t label = map.labels[map.window.index(v)];
+    if (label >= 0) ++map.clusters[static_cast<std::size_t>(label)].points;
+  }
+}
+
 }  // namespace ldm

@@ -86,13 +86,21 @@ void for_each_voxel(const VoxelBox& box, Visit&& visit) {
   }
 }
 
-/// A group of connected occupied voxels (Sec. 3.5).
+/// A group of connected occupied voxels (Sec. 3.5), and the object that is seen in it: the same id
+/// in every frame, through occlusions and after it touched another.
 struct Cluster {
+  /// From 1, never used again for another object. Clusters that are parts of one object may share
+  /// it; 0: its voxels are remembered, but nothing that is followed is in them.
+  std::int64_t id = 0;
+  double age = 0;                        ///< since the object was first found [s]
   Point position = Point::Zero();        ///< mean of its voxels' centres, world frame [m]
   Point size = Point::Zero();            ///< extent of its voxels' bounding box [m]
   Velocity velocity = Velocity::Zero();  ///< eq. 16
-  std::int32_t voxels = 0;               ///< number of voxels
-  bool dynamic = false;                  ///< faster than the threshold velocity of Sec. 3.3.2
+  /// Of (vx, vy) [m^2/s^2]. As in Pose, the layout is the same for every -march.
+  Eigen::Matrix<float, 2, 2, Eigen::DontAlign> velocity_covariance = Eigen::Matrix2f::Zero();
+  std::int32_t voxels = 0;  ///< number of voxels
+  std::int32_t points = 0;  ///< returns of the last scan in them, once count_points has run
+  bool dynamic = false;     ///< it moves: faster than the method's threshold, and beyond chance
 };
 
 /// P(Occ) of a voxel of which nothing is known.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "experiments/avoidance/flight.h"
-#include "experiments/metrics/cluster_tracks.h"
 #include "experiments/pictures/cluster_colours.h"
 #include "experiments/pictures/picture.h"
 #include "experiments/pictures/video_file.h"
@@ -33,7 +32,6 @@ class FlightFilm {
   std::string heading_;
   double knot_step_, rate_;
   VideoFile video_;
-  ClusterTracks tracks_;
   ClusterColours colours_;
   std::vector<Eigen::Vector3d> flown_;  ///< at each scan, world [m]
   Picture picture_;

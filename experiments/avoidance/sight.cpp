@@ -154,7 +154,8 @@ class TrueSight final : public Sight {
     for (const datasets::ObjectState& object : objects_) {
       if (!knows(object)) continue;
       known.objects.push_back(object);
-      map.clusters.push_back({.position = object.position.cast<float>(),
+      map.clusters.push_back({.id = std::int64_t{object.id} + 1,
+                              .position = object.position.cast<float>(),
                               .size = object.size.cast<float>(),
                               .velocity = object.velocity.cast<float>(),
                               .voxels = 0,

@@ -46,17 +46,22 @@ void add_run(CommandLine& line) {
   command.option("--save-as", request->save.formats, "ply, bt (OctoMap), or ply,bt")
       .separated_by_commas()
       .shows_default();
+  command.flag("--save-labels", request->save_labels,
+               "write which points of each scan move to OUTPUT/labels, as SemanticKITTI's files; "
+               "with a known truth also OUTPUT/true_labels");
 }
 
 void add_score(CommandLine& line) {
   const auto request = std::make_shared<ScoreRequest>();
   Command command = line.add(
       "score",
-      "hold the clusters of a run against a reference; writes score.csv and score.json into RUN",
+      "hold the clusters of a run, or its labels, against a reference; writes score.csv and "
+      "score.json into RUN",
       "ldm score out --truth flight.truth.csv", [request] { score_run(*request, std::cout); });
   command.option("RUN", request->run, "output folder of `ldm run`").required();
-  command.option("--truth", request->truth, "table of the true objects (docs/scores.md)")
-      .required();
+  command.option("--truth", request->truth, "table of the true objects (docs/scores.md)");
+  command.option("--labels", request->labels,
+                 "folder of *.label files that say which points move, as SemanticKITTI's");
   command
       .option("--gate", request->gate,
               "how far from an object's box the centroid of its cluster may be [m]")

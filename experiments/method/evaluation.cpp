@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "experiments/method/map_check.h"
-#include "experiments/metrics/cluster_tracks.h"
 #include "experiments/metrics/matching.h"
 #include "experiments/metrics/truth_grid.h"
 
@@ -45,7 +44,6 @@ class Scorer {
  private:
   void add_velocities(const datasets::Frame& frame, const ldm::LocalMap& map) {
     const Matching matching = match(map, grid_);
-    const std::vector<std::int64_t> track_of = tracks_.next(frame.scan.time, map.clusters);
     for (std::size_t i = 0; i < matching.objects.size(); ++i) {
       const datasets::ObjectState& object = frame.truth->objects[i];
       const Matching::Object& matched = matching.objects[i];
@@ -58,8 +56,9 @@ class Scorer {
                        .velocity = {}};
       std::optional<std::int64_t> track;
       if (matched.cluster) {
-        seen.velocity = map.clusters[*matched.cluster].velocity.cast<double>();
-        track = track_of[*matched.cluster];
+        const ldm::Cluster& cluster = map.clusters[*matched.cluster];
+        seen.velocity = cluster.velocity.cast<double>();
+        if (cluster.id != 0) track = cluster.id;
       }
       tallies_->velocity.add(seen);
       tallies_->identity.add({seen.object, seen.time, seen.in_map, seen.visible, track});
@@ -83,7 +82,6 @@ class Scorer {
 
   bool velocities_, keep_series_;
   TruthGrid grid_;
-  ClusterTracks tracks_;
   std::optional<Tallies> tallies_;
   std::map<std::int32_t, VelocitySeries> series_;
 };

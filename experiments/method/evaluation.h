@@ -36,8 +36,8 @@ struct Evaluation {
 struct EvaluationOptions {
   std::optional<std::int64_t> frames;  ///< stop after so many
   bool series = false;                 ///< keep the velocity series; memory grows with the frames
-  /// Called after each frame, outside of the timing; may be empty.
-  std::function<void(const datasets::Frame&, const ldm::LocalMap&)> observer;
+  /// Called after each frame, outside of the timing; may be empty, and may complete the map.
+  std::function<void(const datasets::Frame&, ldm::LocalMap&)> observer;
 };
 
 /// A new mapper of a method on its way through frames; several may share the frames of one source.

@@ -90,6 +90,16 @@ void check_cluster(const ldm::Cluster& cluster, const std::string& name, const P
   check_vector(cluster.position, ".position", false);
   check_vector(cluster.size, ".size", true);
   check_vector(cluster.velocity, ".velocity", false);
+  if (cluster.id < 0) refuse(place, name + ".id", cluster.id, "0 or more");
+  if (!(cluster.age >= 0 && std::isfinite(cluster.age))) {
+    refuse(place, name + ".age", cluster.age, "a finite number from 0 on");
+  }
+  const auto& covariance = cluster.velocity_covariance;
+  const Eigen::Vector3f parts(covariance(0, 0), covariance(0, 1), covariance(1, 1));
+  if (!parts.allFinite() || covariance(1, 0) != parts.y() || parts.x() < 0 || parts.z() < 0) {
+    refuse(place, name + ".velocity_covariance", text_of(parts),
+           "a symmetric matrix of finite numbers, variances from 0 on");
+  }
   if (cluster.voxels < 0) refuse(place, name + ".voxels", cluster.voxels, "0 or more");
 }
 

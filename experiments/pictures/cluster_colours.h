@@ -9,16 +9,14 @@
 
 namespace experiments {
 
-/// A track keeps its colour as long as it lasts. A new one takes the colour of the fewest voxels.
-/// Colours are numbers from 0.
+/// An object keeps its colour as long as it is followed. A new one takes the colour of the fewest
+/// voxels. Colours are numbers from 0.
 class ClusterColours {
  public:
   explicit ClusterColours(std::size_t colours) : colours_(colours) {}
 
   /// The colour of each cluster of the next frame, taken at `time` [s].
-  /// @param tracks of the clusters, see ClusterTracks
-  std::vector<std::size_t> next(double time, const std::vector<ldm::Cluster>& clusters,
-                                const std::vector<std::int64_t>& tracks);
+  std::vector<std::size_t> next(double time, const std::vector<ldm::Cluster>& clusters);
 
  private:
   struct Seen {
@@ -32,7 +30,7 @@ class ClusterColours {
 
   std::size_t colours_;
   std::int64_t frame_ = 0;
-  std::map<std::int64_t, Seen> seen_;  ///< by track, each as it was last found
+  std::map<std::int64_t, Seen> seen_;  ///< by id, each as it was last found
 };
 
 }  // namespace experiments

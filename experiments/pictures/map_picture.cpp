@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 
@@ -28,10 +29,10 @@ void add_cubes(const ldm::LocalMap& map, const std::vector<std::size_t>& colours
   for_each_voxel(map.window, [&](const ldm::VoxelIndex& v, std::size_t i) {
     if (!ldm::is_occupied(map.occupancy[i])) return;
     const Eigen::Vector3d centre = (v.cast<double>().array() + 0.5) * map.resolution;
-    const auto label = map.labels[i];
+    const auto c = static_cast<std::size_t>(map.labels[i]);
+    const bool followed = map.labels[i] >= 0 && map.clusters[c].id != 0;
     picture.cubes.push_back(
-        {centre.cast<float>(),
-         label < 0 ? kNoClusterColour : cluster_colour(colours[static_cast<std::size_t>(label)])});
+        {centre.cast<float>(), followed ? cluster_colour(colours[c]) : kNoClusterColour});
   });
 }
 
@@ -47,12 +48,20 @@ std::vector<ldm::Cluster> largest_dynamic(const ldm::LocalMap& map) {
   return clusters;
 }
 
+/// Which object, how fast, and the standard deviation of that.
+std::string arrow_label(const ldm::Cluster& cluster) {
+  const double speed = static_cast<double>(cluster.velocity.norm());
+  const Eigen::Vector2f way = cluster.velocity.head<2>().normalized();
+  const double variance = static_cast<double>(way.dot(cluster.velocity_covariance * way));
+  return formatted("%lld: %.1f +- %.1f m/s", static_cast<long long>(cluster.id), speed,
+                   std::sqrt(variance));
+}
+
 void add_arrows(const ldm::LocalMap& map, Picture& picture) {
   for (const ldm::Cluster& c : largest_dynamic(map)) {
     // Above the cluster, whose cubes would hide it.
     const ldm::Point from = c.position + ldm::Point(0, 0, c.size.z() / 2 + kAbove);
-    picture.arrows.push_back({from, from + kArrowTime * c.velocity,
-                              formatted("%.1f m/s", static_cast<double>(c.velocity.norm()))});
+    picture.arrows.push_back({from, from + kArrowTime * c.velocity, arrow_label(c)});
   }
 }
 
@@ -71,10 +80,11 @@ void add_words(const datasets::Frame& frame, const ldm::LocalMap& map, Picture& 
   const bool any_grey =
       std::any_of(picture.cubes.begin(), picture.cubes.end(),
                   [](const auto& cube) { return cube.colour == kNoClusterColour; });
-  if (any_grey) picture.cube_keys.push_back({{kNoClusterColour}, "occupied, in no cluster"});
-  picture.arrow_key = map.dynamic_clusters() > static_cast<std::int64_t>(kMostArrows)
-                          ? formatted("velocity of the %zu largest: motion in 1 s", kMostArrows)
-                          : "velocity: motion in 1 s";
+  if (any_grey) picture.cube_keys.push_back({{kNoClusterColour}, "occupied, in no object"});
+  picture.arrow_key =
+      map.dynamic_clusters() > static_cast<std::int64_t>(kMostArrows)
+          ? formatted("object: velocity of the %zu largest, motion in 1 s", kMostArrows)
+          : "object: velocity, motion in 1 s";
 }
 
 }  // namespace

@@ -39,8 +39,7 @@ bool PictureStream::next() {
   mapper_->update(frame_.scan);
   mapper_->read(map_);
   check_map(map_, request_.method, frame_.index);
-  const double now = frame_.scan.time;
-  colour_of_ = colours_.next(now, map_.clusters, tracks_.next(now, map_.clusters));
+  colour_of_ = colours_.next(frame_.scan.time, map_.clusters);
   return true;
 }
 

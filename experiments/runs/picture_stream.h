@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "experiments/method/method_on_input.h"
-#include "experiments/metrics/cluster_tracks.h"
 #include "experiments/pictures/cluster_colours.h"
 #include "experiments/pictures/picture.h"
 
@@ -33,7 +32,6 @@ class PictureStream {
   MethodOnInput request_;
   std::unique_ptr<ldm::Mapper> mapper_;
   std::unique_ptr<datasets::FrameSource> source_;
-  ClusterTracks tracks_;
   ClusterColours colours_;
   datasets::Frame frame_;
   ldm::LocalMap map_;

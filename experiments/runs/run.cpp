@@ -6,13 +6,14 @@
 
 #include "datasets/files/partial_file.h"
 #include "experiments/method/evaluation.h"
-#include "experiments/metrics/cluster_tracks.h"
 #include "experiments/runs/interruption.h"
 #include "experiments/runs/played_frames.h"
+#include "experiments/runs/point_labels.h"
 #include "experiments/runs/progress_line.h"
 #include "experiments/runs/run_folder.h"
 #include "experiments/runs/run_summary.h"
 #include "experiments/runs/run_tables.h"
+#include "ldm/read_occupancy.h"
 
 namespace experiments {
 namespace {
@@ -41,9 +42,8 @@ class RunTables {
         cluster_rows_(clusters_.stream(), kClusterColumns),
         frame_rows_(frames_.stream(), kFrameColumns) {}
 
-  void add(const datasets::Frame& frame, const ldm::LocalMap& map,
-           const std::vector<std::int64_t>& tracks) {
-    write_clusters(frame, map, tracks, cluster_rows_);
+  void add(const datasets::Frame& frame, const ldm::LocalMap& map) {
+    write_clusters(frame, map, cluster_rows_);
     write_frame(frame, map, frame_rows_);
     numbers_.push_back(frame.index);
   }
@@ -59,6 +59,16 @@ class RunTables {
   datasets::CsvWriter cluster_rows_, frame_rows_;
   std::vector<std::int64_t> numbers_;  // of the frames: a recording may have gaps
 };
+
+/// The labels of a frame's points, and the true ones if they are known.
+void save_labels(const datasets::Frame& frame, const ldm::LocalMap& map,
+                 const std::filesystem::path& folder) {
+  datasets::make_folder(folder / kLabels);
+  write_labels(labels_of(frame, map), label_file(folder / kLabels, frame.index));
+  if (!frame.truth) return;
+  datasets::make_folder(folder / kTrueLabels);
+  write_labels(true_labels(frame), label_file(folder / kTrueLabels, frame.index));
+}
 
 /// Before the first frame.
 RunSummary summary_of(const RunRequest& request, const Method& method, const DataFolders& folders) {
@@ -108,14 +118,14 @@ void run(const RunRequest& request, const DataFolders& folders) {
   RunTables tables(request.output);
 
   PlayedFrames frames(*source, request.rate, [&] { return interruption.requested(); });
-  ClusterTracks tracks;
   std::int64_t done = 0, points = 0;
   {
     ProgressLine progress(expected_frames(*source, request.frames));
-    const auto observe = [&](const datasets::Frame& frame, const ldm::LocalMap& map) {
-      const std::vector<std::int64_t> ids = tracks.next(frame.scan.time, map.clusters);
-      tables.add(frame, map, ids);
-      maps.add(frame, map, ids);
+    const auto observe = [&](const datasets::Frame& frame, ldm::LocalMap& map) {
+      ldm::count_points(frame.scan, map);
+      tables.add(frame, map);
+      maps.add(frame, map);
+      if (request.save_labels) save_labels(frame, map, request.output);
       summary.origin = frame.origin;
       points += static_cast<std::int64_t>(frame.scan.points.size());
       progress.show(++done, progress_detail(map, frames.lateness()));

@@ -16,11 +16,13 @@ struct RunRequest : MethodOnInput {
   std::optional<std::int64_t> frames;  ///< stop after so many
   std::optional<double> rate;          ///< times the log's own speed; absent: as fast as it goes
   SavedMapsRequest save;
-  std::string command;  ///< for the summary
+  bool save_labels = false;  ///< of the points of every scan
+  std::string command;       ///< for the summary
 };
 
 /// Writes clusters.csv, frames.csv, timing.csv and summary.json, which appear together at the end,
-/// and the maps of chosen frames. Ctrl-C ends the run after the frame at hand; what was finished is
+/// and the maps of chosen frames, and labels/ with those of the points beside, of an input with a
+/// truth, true_labels/. Ctrl-C ends the run after the frame at hand; what was finished is
 /// then written, and the summary says so.
 /// @throws ldm::InvalidInput on a bad request or log, std::runtime_error when it was interrupted.
 void run(const RunRequest& request, const DataFolders& folders);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "datasets/files/csv.h"
+#include "experiments/runs/point_labels.h"
 #include "experiments/runs/run_tables.h"
 
 namespace experiments {
@@ -26,15 +27,29 @@ void read_clusters(const std::filesystem::path& file, std::map<std::int64_t, Run
     csv.number();  // the time, which frames.csv has
     csv.integer(0, kAny);
     RunCluster found;
-    found.track = csv.integer(1, std::numeric_limits<std::int64_t>::max());
+    found.track = csv.integer(0, std::numeric_limits<std::int64_t>::max());
+    csv.number();  // its age
     found.position = vector(csv);
     vector(csv);  // the size
     found.velocity = vector(csv);
+    vector(csv);           // its covariance
     csv.integer(1, kAny);  // the voxels
     csv.integer(0, kAny);  // the points
     found.dynamic = csv.integer(0, 1) == 1;
     frame->second.clusters.push_back(found);
   }
+}
+
+/// The folder, too, if nothing else is in it.
+template <class Predicate>
+void remove_files(const std::filesystem::path& folder, Predicate is_ours) {
+  if (!std::filesystem::is_directory(folder)) return;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (is_ours(entry.path())) files.push_back(entry.path());
+  }
+  for (const std::filesystem::path& file : files) std::filesystem::remove(file);
+  if (std::filesystem::is_empty(folder)) std::filesystem::remove(folder);
 }
 
 }  // namespace
@@ -58,16 +73,13 @@ void clear_run_folder(const std::filesystem::path& folder) {
        {"clusters.csv", "frames.csv", "timing.csv", "summary.json", "score.csv", "score.json"}) {
     std::filesystem::remove(folder / name);
   }
-  const std::filesystem::path maps = folder / "maps";
-  if (!std::filesystem::is_directory(maps)) return;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(maps)) {
-    const std::filesystem::path& file = entry.path();
+  remove_files(folder / "maps", [](const std::filesystem::path& file) {
     const bool map = file.extension() == ".ply" || file.extension() == ".bt";
-    if (map && file.filename().string().starts_with("frame_")) files.push_back(file);
+    return map && file.filename().string().starts_with("frame_");
+  });
+  for (const char* name : {kLabels, kTrueLabels}) {
+    remove_files(folder / name, [](const auto& file) { return file.extension() == ".label"; });
   }
-  for (const std::filesystem::path& file : files) std::filesystem::remove(file);
-  if (std::filesystem::is_empty(maps)) std::filesystem::remove(maps);
 }
 
 }  // namespace experiments

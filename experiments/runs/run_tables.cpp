@@ -1,11 +1,13 @@
 #include "experiments/runs/run_tables.h"
 
 #include <string>
+#include <utility>
 
 namespace experiments {
 namespace {
 
-constexpr int kMicroseconds = 6, kTenthsOfMillimetres = 4;  // decimals of [s], and of [m], [m/s]
+// Decimals of [s], of [m] and [m/s], and of [m^2/s^2].
+constexpr int kMicroseconds = 6, kTenthsOfMillimetres = 4, kSquares = 6;
 
 /// A place of the frame's world, with the origin of that [m].
 template <class Vector>
@@ -14,30 +16,21 @@ Eigen::Vector3d place(const datasets::Frame& frame, const Vector& v) {
   return frame.origin.isZero() ? p : Eigen::Vector3d(p + frame.origin);  // -0 stays -0
 }
 
-/// How many returns of the scan lie in voxels of each cluster.
-std::vector<std::int64_t> points_of_clusters(const ldm::Scan& scan, const ldm::LocalMap& map) {
-  std::vector<std::int64_t> points(map.clusters.size());
-  for (const ldm::Point& p : scan.points) {
-    const ldm::VoxelIndex v = ldm::voxel_at(scan.T_world_sensor * p.cast<double>(), map.resolution);
-    if (!map.window.contains(v)) continue;
-    const std::int32_t label = map.labels[map.window.index(v)];
-    if (label >= 0) ++points[static_cast<std::size_t>(label)];
-  }
-  return points;
-}
-
 }  // namespace
 
 void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map,
-                    const std::vector<std::int64_t>& tracks, datasets::CsvWriter& out) {
-  const std::vector<std::int64_t> points = points_of_clusters(frame.scan, map);
+                    datasets::CsvWriter& out) {
   for (std::size_t i = 0; i < map.clusters.size(); ++i) {
     const ldm::Cluster& c = map.clusters[i];
     out.add(frame.index).add(frame.scan.time, kMicroseconds);
-    out.add(static_cast<std::int64_t>(i)).add(tracks[i]);
+    out.add(static_cast<std::int64_t>(i)).add(c.id).add(c.age, kMicroseconds);
     out.add_vector(place(frame, c.position), kTenthsOfMillimetres);
     out.add_vector(c.size, kTenthsOfMillimetres).add_vector(c.velocity, kTenthsOfMillimetres);
-    out.add(std::int64_t{c.voxels}).add(points[i]).add(std::int64_t{c.dynamic}).end_row();
+    for (const auto& [row, column] : {std::pair(0, 0), {0, 1}, {1, 1}}) {
+      out.add(static_cast<double>(c.velocity_covariance(row, column)), kSquares);
+    }
+    out.add(std::int64_t{c.voxels}).add(std::int64_t{c.points});
+    out.add(std::int64_t{c.dynamic}).end_row();
   }
 }
 

@@ -12,16 +12,15 @@
 namespace experiments {
 
 inline constexpr std::string_view kClusterColumns =
-    "frame,time_s,cluster,track,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,vx_mps,vy_mps,vz_mps,"
-    "voxels,points,dynamic";
+    "frame,time_s,cluster,track,age_s,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,vx_mps,"
+    "vy_mps,vz_mps,vx_vx_m2ps2,vx_vy_m2ps2,vy_vy_m2ps2,voxels,points,dynamic";
 inline constexpr std::string_view kFrameColumns =
     "frame,time_s,uav_x_m,uav_y_m,uav_z_m,map_x_m,map_y_m,map_z_m,map_size_x_m,map_size_y_m,"
     "map_size_z_m,points,clusters,dynamic";
 
 /// One row of clusters.csv for each cluster.
-/// @param tracks of the clusters, see ClusterTracks
 void write_clusters(const datasets::Frame& frame, const ldm::LocalMap& map,
-                    const std::vector<std::int64_t>& tracks, datasets::CsvWriter& out);
+                    datasets::CsvWriter& out);
 
 /// One row of frames.csv.
 void write_frame(const datasets::Frame& frame, const ldm::LocalMap& map, datasets::CsvWriter& out);

@@ -47,24 +47,22 @@ SavedMaps::SavedMaps(const SavedMapsRequest& request, std::filesystem::path fold
   }
 }
 
-void SavedMaps::add(const datasets::Frame& frame, const ldm::LocalMap& map,
-                    const std::vector<std::int64_t>& tracks) {
+void SavedMaps::add(const datasets::Frame& frame, const ldm::LocalMap& map) {
   if (frames_.empty()) return;
-  const std::vector<std::size_t> colours = colours_.next(frame.scan.time, map.clusters, tracks);
+  const std::vector<std::size_t> colours = colours_.next(frame.scan.time, map.clusters);
   if (frames_.erase(frame.index) == 0) return;
   try {
-    write_files(frame, map, tracks, colours);
+    write_files(frame, map, colours);
   } catch (const std::exception&) {
     if (!failure_) failure_ = std::current_exception();
   }
 }
 
 void SavedMaps::write_files(const datasets::Frame& frame, const ldm::LocalMap& map,
-                            const std::vector<std::int64_t>& tracks,
                             const std::vector<std::size_t>& colours) const {
   datasets::make_folder(folder_);
   const std::string name = name_of(frame.index);
-  if (ply_) write_ply_files(frame, map, tracks, colours, name);
+  if (ply_) write_ply_files(frame, map, colours, name);
   if (bt_) {
     datasets::PartialFile file(folder_ / (name + ".bt"));
     baselines::write_bt(map, datasets::origin_text(frame), file.stream());
@@ -73,7 +71,6 @@ void SavedMaps::write_files(const datasets::Frame& frame, const ldm::LocalMap& m
 }
 
 void SavedMaps::write_ply_files(const datasets::Frame& frame, const ldm::LocalMap& map,
-                                const std::vector<std::int64_t>& tracks,
                                 const std::vector<std::size_t>& colours,
                                 const std::string& name) const {
   std::vector<PlyVertex> occupied, free;
@@ -82,10 +79,10 @@ void SavedMaps::write_ply_files(const datasets::Frame& frame, const ldm::LocalMa
     if (p == ldm::kUnknown) return;
     const Eigen::Vector3d centre = (v.cast<double>().array() + 0.5) * map.resolution;
     PlyVertex vertex{centre.cast<float>(), ldm::is_occupied(p) ? kNoClusterColour : kFree, p, 0};
-    if (map.labels[i] >= 0) {
-      const auto cluster = static_cast<std::size_t>(map.labels[i]);
+    const auto cluster = static_cast<std::size_t>(map.labels[i]);
+    if (map.labels[i] >= 0 && map.clusters[cluster].id != 0) {
       vertex.colour = cluster_colour(colours[cluster]);
-      vertex.track = static_cast<std::int32_t>(tracks[cluster]);
+      vertex.track = static_cast<std::int32_t>(map.clusters[cluster].id);
     }
     (ldm::is_occupied(p) ? occupied : free).push_back(vertex);
   });

@@ -29,10 +29,8 @@ class SavedMaps {
   SavedMaps(const SavedMapsRequest& request, std::filesystem::path folder);
 
   /// To be called for every frame: colours follow the clusters from frame to frame.
-  /// @param tracks of the clusters, see ClusterTracks
   /// A map that cannot be written costs no frame of the run: `check_complete` tells.
-  void add(const datasets::Frame& frame, const ldm::LocalMap& map,
-           const std::vector<std::int64_t>& tracks);
+  void add(const datasets::Frame& frame, const ldm::LocalMap& map);
 
   /// @throws ldm::InvalidInput if a frame that was asked for did not come, or what kept the first
   /// map from being written.
@@ -40,10 +38,8 @@ class SavedMaps {
 
  private:
   void write_files(const datasets::Frame& frame, const ldm::LocalMap& map,
-                   const std::vector<std::int64_t>& tracks,
                    const std::vector<std::size_t>& colours) const;
   void write_ply_files(const datasets::Frame& frame, const ldm::LocalMap& map,
-                       const std::vector<std::int64_t>& tracks,
                        const std::vector<std::size_t>& colours, const std::string& name) const;
 
   std::set<std::int64_t> frames_;  ///< still to come

@@ -5,6 +5,7 @@
 #include "datasets/files/csv.h"
 #include "datasets/files/partial_file.h"
 #include "datasets/files/text.h"
+#include "experiments/runs/label_score.h"
 #include "experiments/runs/score_json.h"
 #include "experiments/runs/truth_table.h"
 
@@ -17,6 +18,10 @@ constexpr std::string_view kScoreColumns =
 /// Empty, or `nothing`, of no observation.
 std::string number(const Mean& mean, int decimals, std::string_view nothing = "") {
   return mean.value() ? datasets::rounded(*mean.value(), decimals) : std::string(nothing);
+}
+
+std::string percent(const Mean& mean) {
+  return mean.value() ? datasets::rounded(100 * *mean.value(), 1) + " %" : "none";
 }
 
 void print_row(const std::string& name, const std::string& kind, const ObjectScore& score,
@@ -46,7 +51,18 @@ void print(const TruthScore& score, std::ostream& out) {
   out << "dynamic clusters: " << score.dynamic_without_object << " without an object, "
       << score.dynamic_on_static << " on static ones, in " << score.frames << " frames";
   if (score.not_run > 0) out << "; " << score.not_run << " more of the truth are not in the run";
-  out << '\n';
+  out << "\nmoving objects: " << percent(score.recall) << " found, " << percent(score.precision)
+      << " of the dynamic clusters are one\n";
+}
+
+void print(const LabelScore& score, std::ostream& out) {
+  const auto iou = [](const PointCounts& counts) {
+    const std::optional<double> share = counts.moving_iou();
+    return share ? datasets::rounded(100 * *share, 1) + " %" : std::string("none");
+  };
+  out << "moving points: intersection over union " << iou(score.all) << " of " << score.all.points()
+      << " points in " << score.frames << " frames, " << iou(score.in_map) << " of the "
+      << score.in_map.points() << " in the map\n";
 }
 
 void print(const RunGhosts& ghosts, std::ostream& out) {
@@ -73,16 +89,31 @@ void write_csv(const TruthScore& score, std::ostream& out) {
 }  // namespace
 
 void score_run(const ScoreRequest& request, std::ostream& out) {
-  const auto run = read_run_frames(request.run);
-  const TruthTable truth = read_truth_table(request.truth);
-  const TruthScore score = experiments::score(run, truth, request.gate);
-  const std::optional<RunGhosts> ghosts = ghosts_of_run(request.run, run, truth);
-  datasets::PartialFile csv(request.run / "score.csv"), json(request.run / "score.json");
-  write_csv(score, csv.stream());
-  json.stream() << to_json(score, ghosts, request.truth.string(), request.gate);
-  datasets::commit_together({&csv, &json});
-  print(score, out);
-  if (ghosts) print(*ghosts, out);
+  if (!request.truth && !request.labels) {
+    throw ldm::InvalidInput(
+        "score: no reference: allowed: --truth FILE.csv, --labels FOLDER, or both");
+  }
+  RunScores scores;
+  if (request.truth) {
+    const auto run = read_run_frames(request.run);
+    const TruthTable truth = read_truth_table(*request.truth);
+    scores.objects = score(run, truth, request.gate);
+    scores.ghosts = ghosts_of_run(request.run, run, truth);
+  }
+  if (request.labels) scores.points = score_labels(request.run, *request.labels);
+
+  datasets::PartialFile json(request.run / "score.json");
+  json.stream() << to_json(request, scores);
+  if (scores.objects) {
+    datasets::PartialFile csv(request.run / "score.csv");
+    write_csv(*scores.objects, csv.stream());
+    datasets::commit_together({&csv, &json});
+    print(*scores.objects, out);
+  } else {
+    json.commit();
+  }
+  if (scores.ghosts) print(*scores.ghosts, out);
+  if (scores.points) print(*scores.points, out);
 }
 
 }  // namespace experiments

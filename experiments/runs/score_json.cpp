@@ -8,43 +8,65 @@
 namespace experiments {
 namespace {
 
+Json json_of(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 Json score_json(const ObjectScore& score) {
-  const auto value = [](const Mean& mean) {
-    return mean.value() ? Json(*mean.value()) : Json(nullptr);
-  };
   return {{"objects", score.objects},
           {"frames", score.frames},
           {"matched", score.matched()},
-          {"position_error_m", value(score.position_error)},
-          {"velocity_error_mps", value(score.velocity_error)},
+          {"position_error_m", json_of(score.position_error.value())},
+          {"velocity_error_mps", json_of(score.velocity_error.value())},
           {"tracks", score.tracks},
           {"switches", score.switches}};
 }
 
-}  // namespace
-
-std::string to_json(const TruthScore& score, const std::optional<RunGhosts>& ghosts,
-                    const std::string& truth, double gate) {
-  Json json = {{"schema", 1},
-               {"truth", truth},
-               {"gate_m", gate},
-               {"frames", score.frames},
+Json object_json(const TruthScore& score) {
+  Json json = {{"frames", score.frames},
                {"frames_not_in_run", score.not_run},
                {"dynamic", score_json(score.of_dynamic)},
                {"static", score_json(score.of_static)},
+               {"moving_recall", json_of(score.recall.value())},
+               {"moving_precision", json_of(score.precision.value())},
                {"dynamic_clusters_without_object", score.dynamic_without_object},
                {"dynamic_clusters_on_static_objects", score.dynamic_on_static}};
-  if (ghosts) {
-    const auto seconds = ghosts->seconds_to_clear;
-    json["ghosts"] = {{"frames", ghosts->frames},
-                      {"ghost_voxels_per_frame", ghosts->voxels_per_frame},
-                      {"seconds_to_clear", seconds ? Json(*seconds) : Json(nullptr)}};
-  }
   for (const auto& [id, object] : score.objects) {
     Json row = {{"id", id}, {"dynamic", object.dynamic}};
     row.update(score_json(object.score));
     row.erase("objects");
     json["objects"].push_back(std::move(row));
+  }
+  return json;
+}
+
+Json count_json(const PointCounts& counts) {
+  return {{"points", counts.points()},
+          {"both_moving", counts.both_moving},
+          {"run_only", counts.run_only},
+          {"reference_only", counts.reference_only},
+          {"moving_iou", json_of(counts.moving_iou())}};
+}
+
+}  // namespace
+
+std::string to_json(const ScoreRequest& request, const RunScores& scores) {
+  Json json = {{"schema", 2}};
+  if (scores.objects) {
+    json["truth"] = request.truth->string();
+    json["gate_m"] = request.gate;
+    json.update(object_json(*scores.objects));
+  }
+  if (scores.ghosts) {
+    json["ghosts"] = {{"frames", scores.ghosts->frames},
+                      {"ghost_voxels_per_frame", scores.ghosts->voxels_per_frame},
+                      {"seconds_to_clear", json_of(scores.ghosts->seconds_to_clear)}};
+  }
+  if (scores.points) {
+    json["labels"] = request.labels->string();
+    json["points"] = {{"frames", scores.points->frames},
+                      {"all", count_json(scores.points->all)},
+                      {"in_map", count_json(scores.points->in_map)}};
   }
   return dump(json);
 }

@@ -22,12 +22,16 @@ class Scorer {
     }
     for (std::size_t i = 0; i < objects.size(); ++i) {
       const bool in_map = frame.map.contains(objects[i].position);
-      if (in_map && !object_matched[i]) count(objects[i]);
+      if (in_map && !object_matched[i]) {
+        count(objects[i]);
+        if (objects[i].moves()) score_.recall.add(0);
+      }
       if (!in_map) tracks_[objects[i].id].last.reset();  // its stay in the map has ended
     }
     for (std::size_t i = 0; i < frame.clusters.size(); ++i) {
       if (!cluster_matched[i] && frame.clusters[i].dynamic) {
         ++score_.dynamic_without_object;
+        score_.precision.add(0);
       }
     }
   }
@@ -79,7 +83,9 @@ class Scorer {
   void add_match(const TruthObject& object, const RunCluster& found,
                  const Eigen::AlignedBox3d& map) {
     if (found.dynamic && !object.dynamic) ++score_.dynamic_on_static;
+    if (found.dynamic) score_.precision.add(object.moves() ? 1 : 0);
     if (!map.contains(object.position)) return;
+    if (object.moves()) score_.recall.add(found.dynamic ? 1 : 0);
     Tracks& tracks = tracks_[object.id];
     const bool switched = tracks.last && *tracks.last != found.track;
     tracks.all.insert(found.track);

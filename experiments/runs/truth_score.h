@@ -32,6 +32,8 @@ struct TruthScore {
   };
   std::map<std::int64_t, Object> objects;
   ObjectScore of_static, of_dynamic;
+  Mean recall;     ///< 1 per moving object with a dynamic cluster, 0 per other one, in the map
+  Mean precision;  ///< 1 per dynamic cluster that stands for a moving object, 0 per other one
   std::int64_t dynamic_without_object = 0;  ///< dynamic clusters matched with no object
   std::int64_t dynamic_on_static = 0;       ///< with one that never moves
 };

@@ -89,7 +89,7 @@ class TruthReader {
     std::set<std::int64_t> moving;
     for (const auto& [number, frame] : table) {
       for (const TruthObject& object : frame.objects) {
-        if (object.velocity.norm() > VelocityTally::kStanding) moving.insert(object.id);
+        if (object.moves()) moving.insert(object.id);
       }
     }
     for (auto& [number, frame] : table) {
@@ -105,6 +105,10 @@ class TruthReader {
 };
 
 }  // namespace
+
+bool TruthObject::moves() const {
+  return velocity.norm() > VelocityTally::kStanding;
+}
 
 TruthTable read_truth_table(const std::filesystem::path& file) {
   return TruthReader(file).read();

@@ -17,6 +17,8 @@ struct TruthObject {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre, world frame [m]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< world frame [m/s]
   Eigen::Vector3d size = Eigen::Vector3d::Zero();      ///< edges along the world's axes [m]
+
+  bool moves() const;  ///< in this frame: faster than VelocityTally::kStanding
 };
 
 struct TruthFrame {

@@ -49,7 +49,7 @@ void ObjectLdm::update(const Scan& scan, StageListener* listener) {
 
   stage("clustering");  // Sec. 3.5
   clustering_.find(log_odds_);
-  set_cluster_velocities();
+  set_clusters();
   prediction_.inherit(log_odds_.index(), clustering_);
 }
 
@@ -81,9 +81,9 @@ void ObjectLdm::occupy_moving() {
   }
 }
 
-/// A cluster moves as the object most of whose returns are in it; where that is hidden, its last
-/// ones, moved on.
-void ObjectLdm::set_cluster_velocities() {
+/// A cluster is the object most of whose returns are in it; where that is hidden, its last ones,
+/// moved on.
+void ObjectLdm::set_clusters() {
   const RingIndex& index = log_odds_.index();
   std::vector<Cluster>& clusters = clustering_.clusters();
   std::fill(cluster_at_.begin(), cluster_at_.end(), -1);
@@ -103,7 +103,10 @@ void ObjectLdm::set_cluster_velocities() {
       if (c < 0 || n <= most[static_cast<std::size_t>(c)]) continue;
       most[static_cast<std::size_t>(c)] = n;
       Cluster& cluster = clusters[static_cast<std::size_t>(c)];
+      cluster.id = object.id();
+      cluster.age = *time_ - object.since();
       cluster.velocity << object.velocity().cast<float>(), 0;
+      cluster.velocity_covariance = object.velocity_covariance().cast<float>();
       cluster.dynamic = object.dynamic();
     }
   }

@@ -32,7 +32,7 @@ class ObjectLdm final : public Mapper {
  private:
   void track(const Scan& scan);
   void occupy_moving();
-  void set_cluster_velocities();
+  void set_clusters();
 
   Parameters parameters_;
   std::optional<double> time_;  // of the last scan [s]

@@ -65,6 +65,7 @@ void LocalDynamicMap::update(const Scan& scan, StageListener* listener) {
   particles_.resample();
   begin("clustering");
   cluster();
+  tracker_.follow(scan.time, clusters_);
 }
 
 // Sec. 3.2 ----------------------------------------------------------------------------------------
@@ -139,7 +140,7 @@ void LocalDynamicMap::update_occupancy(const std::vector<VoxelFlag>& flags) {
 
 bool LocalDynamicMap::was_static(std::size_t index) const {
   const int c = predicted_labels_[index];
-  return c != kNoCluster && !clusters_[static_cast<std::size_t>(c)].dynamic;
+  return c != kNoCluster && static_[static_cast<std::size_t>(c)];
 }
 
 bool LocalDynamicMap::is_occupied(std::size_t index) const {
@@ -208,9 +209,11 @@ void LocalDynamicMap::inherit_rests() {
 void LocalDynamicMap::estimate_velocities() {
   const std::vector<Eigen::Vector3d> velocities =
       particles_.cluster_velocities(window_, labels_, clusters_.size());
+  static_.clear();
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     clusters_[c].velocity = velocities[c].cast<float>();
     clusters_[c].dynamic = velocities[c].norm() >= parameters_.clusters.static_below;
+    static_.push_back(!clusters_[c].dynamic);
   }
   if (parameters_.clusters.readjust) particles_.readjust(window_, labels_, velocities);
 }

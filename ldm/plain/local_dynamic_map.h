@@ -4,10 +4,12 @@
 ///
 /// As one would write it from the paper in an afternoon: structures of doubles, dense grids that
 /// are copied when they move, the generators and distributions of the standard library. It shares
-/// no code with the fast map but the types, the parameters and the check of the input.
+/// no code with the fast map but the types, the parameters, the check of the input, and the
+/// identity of clusters, which is no step of the paper's.
 #include <optional>
 #include <vector>
 
+#include "ldm/cluster_tracker.h"
 #include "ldm/mapper.h"
 #include "ldm/parameters.h"
 #include "ldm/plain/measurement_flags.h"
@@ -45,6 +47,8 @@ class LocalDynamicMap final : public Mapper {
   std::vector<Cluster> clusters_;
   std::vector<Eigen::Vector3d> rests_;  // per cluster: displacement not moved yet [voxels]
   Particles particles_;
+  std::vector<bool> static_;  // per cluster
+  ClusterTracker tracker_;
 };
 
 }  // namespace ldm::plain

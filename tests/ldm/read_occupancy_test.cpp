@@ -47,5 +47,24 @@ TEST(ReadOccupancyTest, UnknownIsExactlyOneHalf) {
   }
 }
 
+TEST(ReadOccupancyTest, PointsAreCountedInTheVoxelsOfTheirCluster) {
+  LocalMap map;
+  map.window = {{0, 0, 0}, {3, 1, 1}};
+  map.resolution = 1;
+  map.labels = {0, 0, -1};
+  map.clusters.resize(2);
+  map.clusters[1].points = 5;  // of a scan before
+  Scan scan;
+  scan.T_world_sensor.translation << 1, 0, 0;
+  scan.points = {{-0.5F, 0.5F, 0.5F},  // three in the first cluster, in two voxels
+                 {-0.6F, 0.5F, 0.5F},
+                 {0.5F, 0.5F, 0.5F},
+                 {1.5F, 0.5F, 0.5F},  // in a voxel of none
+                 {5, 0.5F, 0.5F}};    // out of the map
+  count_points(scan, map);
+  EXPECT_EQ(map.clusters[0].points, 3);
+  EXPECT_EQ(map.clusters[1].points, 0);
+}
+
 }  // namespace
 }  // namespace ldm

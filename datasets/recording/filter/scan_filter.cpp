@@ -45,8 +45,8 @@ ScanFilter::ScanFilter(std::unique_ptr<FrameSource> source, const InputParameter
 bool ScanFilter::next(Frame& frame) {
   if (!source_->next(frame)) return false;
   if (parameters_.no_returns == NoReturns::kPattern) find_no_returns(frame.scan);
-  drop_out_of_place(frame.scan);
-  if (ground_) drop_ground(frame.scan);
+  drop_out_of_place(frame);
+  if (ground_) drop_ground(frame);
   return true;
 }
 
@@ -62,10 +62,15 @@ void ScanFilter::find_no_returns(ldm::Scan& scan) {
   }
 }
 
-void ScanFilter::drop_out_of_place(ldm::Scan& scan) {
+void ScanFilter::drop_out_of_place(Frame& frame) {
+  ldm::Scan& scan = frame.scan;
+  if (!frame.kept) frame.kept.emplace();
+  frame.kept->recorded = scan.points.size();
+  frame.kept->was.resize(scan.points.size());
   const BodyBox body(parameters_.body, scan);
   std::size_t kept = 0;
-  for (const ldm::Point& p : scan.points) {
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const ldm::Point p = scan.points[i];
     const double range = p.cast<double>().norm();
     if (!std::isfinite(range)) {
       ++counts_.not_finite;
@@ -76,13 +81,16 @@ void ScanFilter::drop_out_of_place(ldm::Scan& scan) {
     } else if (body.contains(p)) {
       ++counts_.on_vehicle;
     } else {
+      frame.kept->was[kept] = static_cast<std::uint32_t>(i);
       scan.points[kept++] = p;
     }
   }
   scan.points.resize(kept);
+  frame.kept->was.resize(kept);
 }
 
-void ScanFilter::drop_ground(ldm::Scan& scan) {
+void ScanFilter::drop_ground(Frame& frame) {
+  ldm::Scan& scan = frame.scan;
   if (!ground_->mark(scan, is_ground_)) {
     ++counts_.no_ground;
     return;
@@ -92,6 +100,7 @@ void ScanFilter::drop_ground(ldm::Scan& scan) {
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const ldm::Point p = scan.points[i];
     if (is_ground_[i] == 0) {
+      frame.kept->was[kept] = frame.kept->was[i];
       scan.points[kept++] = p;
     } else {
       ++counts_.on_ground;
@@ -99,6 +108,7 @@ void ScanFilter::drop_ground(ldm::Scan& scan) {
     }
   }
   scan.points.resize(kept);
+  frame.kept->was.resize(kept);
 }
 
 InputCounts ScanFilter::counts() const {

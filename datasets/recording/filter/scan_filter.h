@@ -28,8 +28,8 @@ class ScanFilter : public FrameSource {
 
  private:
   void find_no_returns(ldm::Scan& scan);
-  void drop_out_of_place(ldm::Scan& scan);
-  void drop_ground(ldm::Scan& scan);
+  void drop_out_of_place(Frame& frame);
+  void drop_ground(Frame& frame);
 
   std::unique_ptr<FrameSource> source_;
   InputParameters parameters_;

@@ -74,6 +74,29 @@ TEST(MapCheck, RefusesClustersThatAreNotNumbers) {
             "mine, frame 7: map.clusters[1].size = (-1, 0, 0): allowed: finite numbers from 0 on");
   EXPECT_EQ(said_of([](auto& map) { map.clusters[0].voxels = -5; }),
             "mine, frame 7: map.clusters[0].voxels = -5: allowed: 0 or more");
+  EXPECT_EQ(said_of([](auto& map) { map.clusters[0].id = -1; }),
+            "mine, frame 7: map.clusters[0].id = -1: allowed: 0 or more");
+  for (const double bad : {-0.1, double{kNan}, 1 / 0.0}) {
+    EXPECT_NE(said_of([&](auto& map) { map.clusters[0].age = bad; }).find("map.clusters[0].age"),
+              std::string::npos);
+  }
+}
+
+TEST(MapCheck, RefusesCovariancesThatAreNone) {
+  const auto said_of_covariance = [](const Eigen::Matrix2f& covariance) {
+    return said_of([&](auto& map) { map.clusters[1].velocity_covariance = covariance; });
+  };
+  Eigen::Matrix2f covariance;
+  covariance << 4, 1, 1, 2;
+  EXPECT_EQ(said_of_covariance(covariance), "");
+  covariance(1, 0) = 2;
+  EXPECT_EQ(said_of_covariance(covariance),
+            "mine, frame 7: map.clusters[1].velocity_covariance = (4, 1, 2): allowed: a symmetric "
+            "matrix of finite numbers, variances from 0 on");
+  covariance << -1, 0, 0, 2;
+  EXPECT_NE(said_of_covariance(covariance), "");
+  covariance << 1, 0, 0, kNan;
+  EXPECT_NE(said_of_covariance(covariance), "");
 }
 
 }  // namespace

@@ -51,14 +51,17 @@ TEST(MapPicture, ClustersHaveColoursAndTheMovingOnesArrows) {
   ldm::LocalMap map = small_map();
   map.labels[0] = 0;
   map.labels[7] = 1;
-  map.clusters = {{.position = {1.25F, 0.25F, 0.25F},
+  map.clusters = {{.id = 4,
+                   .position = {1.25F, 0.25F, 0.25F},
                    .size = {0.5F, 0.5F, 0.5F},
                    .velocity = {0.1F, 0, 0},
                    .voxels = 1,
                    .dynamic = false},
-                  {.position = {1.75F, 0.75F, 0.75F},
+                  {.id = 9,
+                   .position = {1.75F, 0.75F, 0.75F},
                    .size = {0.5F, 0.5F, 0.5F},
                    .velocity = {0, -1.5F, 0},
+                   .velocity_covariance = Eigen::Vector2f(9, 0.04F).asDiagonal().toDenseMatrix(),
                    .voxels = 1,
                    .dynamic = true}};
   const Picture picture = picture_of(small_frame(), map, {3, 1}, "a map");
@@ -68,7 +71,7 @@ TEST(MapPicture, ClustersHaveColoursAndTheMovingOnesArrows) {
   const Picture::Arrow& arrow = picture.arrows[0];
   EXPECT_TRUE((arrow.to - arrow.from).isApprox(map.clusters[1].velocity));
   EXPECT_GT(arrow.from.z(), 1.0F);  // above the cluster
-  EXPECT_EQ(arrow.label, "1.5 m/s");
+  EXPECT_EQ(arrow.label, "9: 1.5 +- 0.2 m/s");
   EXPECT_EQ(picture.heading.back(), "2 clusters, 1 dynamic");
   EXPECT_EQ(picture.cube_keys.size(), 1u);
 }
@@ -84,21 +87,28 @@ TEST(MapPicture, OfManyMovingClustersTheLargestHaveArrows) {
   }
   const Picture picture = picture_of(small_frame(), map, std::vector<std::size_t>(30, 0), "");
   ASSERT_EQ(picture.arrows.size(), 12u);
-  EXPECT_EQ(picture.arrows.front().label, "29.0 m/s");
-  EXPECT_EQ(picture.arrows.back().label, "7.0 m/s");
-  EXPECT_EQ(picture.arrow_key, "velocity of the 12 largest: motion in 1 s");
+  EXPECT_EQ(picture.arrows.front().label, "0: 29.0 +- 0.0 m/s");
+  EXPECT_EQ(picture.arrows.back().label, "0: 7.0 +- 0.0 m/s");
+  EXPECT_EQ(picture.arrow_key, "object: velocity of the 12 largest, motion in 1 s");
   EXPECT_EQ(picture.heading.back(), "30 clusters, 30 dynamic");
 }
 
-TEST(MapPicture, GreyVoxelsBesideClustersAreExplained) {
+TEST(MapPicture, GreyVoxelsBesideObjectsAreExplained) {
   ldm::LocalMap map = small_map();
   map.labels[0] = 0;
-  map.clusters = {{.position = {1.25F, 0.25F, 0.25F},
+  map.clusters = {{.id = 1,
+                   .position = {1.25F, 0.25F, 0.25F},
                    .size = {0.5F, 0.5F, 0.5F},
                    .velocity = {0, 0, 0},
                    .voxels = 1,
                    .dynamic = false}};
   EXPECT_EQ(picture_of(small_frame(), map, {0}, "").cube_keys.size(), 2u);
+  map.labels[7] = 0;
+  EXPECT_EQ(picture_of(small_frame(), map, {0}, "").cube_keys.size(), 1u);
+  map.clusters[0].id = 0;  // followed no more
+  const Picture picture = picture_of(small_frame(), map, {0}, "");
+  EXPECT_EQ(picture.cubes[0].colour, kNoClusterColour);
+  EXPECT_EQ(picture.cube_keys.size(), 2u);
 }
 
 }  // namespace

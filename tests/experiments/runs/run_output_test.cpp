@@ -54,10 +54,10 @@ TEST_F(RunOutput, FramesAndClustersFitTogether) {
   EXPECT_EQ(table.size() - 1, clusters);
   std::size_t dynamic_rows = 0, points_in_clusters = 0;
   for (std::size_t i = 1; i < table.size(); ++i) {
-    ASSERT_EQ(table[i].size(), 16u);
+    ASSERT_EQ(table[i].size(), 20u);
     EXPECT_GE(number(table[i][3]), 1u);
-    points_in_clusters += number(table[i][14]);
-    dynamic_rows += number(table[i][15]);
+    points_in_clusters += number(table[i][18]);
+    dynamic_rows += number(table[i][19]);
   }
   EXPECT_EQ(dynamic_rows, dynamic);
   EXPECT_GT(points_in_clusters, 100u);
@@ -127,7 +127,7 @@ TEST_F(RunOutput, VoxelsOfAPlyAreColouredByTheirTrack) {
   colour_of.erase(0);  // in no cluster
   std::map<std::int32_t, std::size_t> voxels;
   for (const auto& row : rows("o/clusters.csv")) {
-    if (row[0] == "5") voxels[static_cast<std::int32_t>(number(row[3]))] = number(row[13]);
+    if (row[0] == "5") voxels[static_cast<std::int32_t>(number(row[3]))] = number(row[17]);
   }
   EXPECT_EQ(colour_of.size(), voxels.size());
   for (const auto& [track, colour] : colour_of) EXPECT_TRUE(voxels.contains(track)) << track;

@@ -45,7 +45,9 @@ TEST(TruthScore, AddsUpTheErrorsOfEachObject) {
   EXPECT_EQ(walking.frames, 2);
   EXPECT_EQ(walking.matched(), 1);
   EXPECT_DOUBLE_EQ(*walking.velocity_error.value(), 0.5);
-  EXPECT_EQ(result.dynamic_on_static, 1);  // frame 1 calls the standing object dynamic
+  EXPECT_DOUBLE_EQ(*result.recall.value(), 0.5);     // of the walking one's two frames
+  EXPECT_DOUBLE_EQ(*result.precision.value(), 0.5);  // of two dynamic clusters
+  EXPECT_EQ(result.dynamic_on_static, 1);            // frame 1 calls the standing object dynamic
   EXPECT_EQ(result.of_dynamic.frames, 2);
   EXPECT_EQ(result.of_static.objects, 1);
 }

@@ -29,6 +29,7 @@ class OneScan : public FrameSource {
 
 struct Filtered {
   ldm::Scan scan;
+  KeptPoints kept;
   InputCounts counts;
 };
 
@@ -36,7 +37,7 @@ Filtered filtered(const ldm::Scan& scan, const InputParameters& parameters) {
   ScanFilter filter(std::make_unique<OneScan>(scan), parameters);
   Frame frame;
   EXPECT_TRUE(filter.next(frame));
-  const Filtered result{frame.scan, filter.counts()};
+  const Filtered result{frame.scan, frame.kept.value_or(KeptPoints{}), filter.counts()};
   EXPECT_FALSE(filter.next(frame));
   EXPECT_EQ(filter.size(), 1);
   return result;
@@ -52,6 +53,8 @@ TEST(ScanFilter, RangesAndNonFinitePoints) {
   parameters.max_range = 5;
   const Filtered result = filtered(scan, parameters);
   EXPECT_EQ(result.scan.points, (std::vector<ldm::Point>{{3, 0, 4}, {-2, 0, 0}}));
+  EXPECT_EQ(result.kept.recorded, 8u);
+  EXPECT_EQ(result.kept.was, (std::vector<std::uint32_t>{2, 6}));
   EXPECT_EQ(result.counts.points_dropped,
             (InputCounts::ByReason{{"not finite", 2},
                                    {"nearer than input.min_range_m", 2},
@@ -86,6 +89,8 @@ TEST(ScanFilter, GroundRaysStayAsRaysWithoutReturn) {
   parameters.ground.removal = GroundRemoval::kPlane;
   const Filtered free = filtered(scan, parameters);
   EXPECT_EQ(free.scan.points, (std::vector<ldm::Point>{{5, 0, 0}}));
+  EXPECT_EQ(free.kept.recorded, 1201u);
+  EXPECT_EQ(free.kept.was, std::vector<std::uint32_t>{1200});
   ASSERT_EQ(free.scan.no_returns.size(), 1200u);
   EXPECT_TRUE(free.scan.no_returns[0].isApprox(scan.points[0].normalized()));
   EXPECT_EQ(free.counts.points_dropped, (InputCounts::ByReason{{"on the ground", 1200}}));

@@ -1,4 +1,4 @@
-#include "ldm/random.h"
+#include "ldm/machine/random.h"
 
 #include <gtest/gtest.h>
 
