@@ -9,16 +9,20 @@
 namespace ldm {
 namespace {
 
-constexpr double kMemory = 4.0;    // unseen for longer, an object is forgotten [s]
+constexpr double kMemory = 4.0;    // unseen for longer, an object is forgotten [s],
+constexpr int kMemoryScans = 3;    // but not before it was missed in more scans
 constexpr double kFragment = 0.5;  // what was in view no longer than this may be a part [s],
 constexpr std::int64_t kFragmentViews = 5;  // or was apart in less than so many views
+constexpr double kLookBack = 1.0;           // how long ago an object stood elsewhere [s],
+constexpr std::size_t kLeastPast = 3;       // or scans
 constexpr double kGate = 0.3;               // farthest from its expected place, and twice the reach
 constexpr double kLostGate = 2.0;           // of what nothing is known of yet [m]
 constexpr double kClaim = 0.25;             // of the columns of the smaller
 
 bool forgotten(const TrackedObject& object, double time) {
   const double in_view = object.seen() - object.since();
-  return time - object.seen() > std::min(kMemory, kFragment + 4 * in_view);
+  return object.missed() > kMemoryScans &&
+         time - object.seen() > std::min(kMemory, kFragment + 4 * in_view);
 }
 
 Eigen::AlignedBox2d box_of(const View& view) {
@@ -33,6 +37,16 @@ std::size_t columns_of(const View& view) {
   return n;
 }
 
+/// True if most columns of a view fit to the object where it has gone better than where it was.
+bool goes_with(const TrackedObject& object, const View& view) {
+  std::ptrdiff_t balance = 0;
+  view.for_each_column([&](const Column& c) {
+    const double moved = object.distance(c.point);
+    balance += moved <= object.distance(c.point + object.since_view()) ? 1 : -1;
+  });
+  return balance >= 0;
+}
+
 }  // namespace
 
 void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
@@ -41,16 +55,25 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
   time_ = time;
   sensor_ = sensor.head<2>();
   panorama_.fill(sensor_, points);
+  past_.push_back({time, panorama_});
+  while (past_.size() > kLeastPast && time - past_.front().time > kLookBack) {
+    past_.erase(past_.begin());
+  }
   segments_.find(points);
 
   found_.assign(objects_.size(), {});
   unclaimed_.clear();
+  std::vector<Segment> segments;
   for (std::size_t s = 0; s < segments_.count(); ++s) {
     Segment segment;
     for (const std::size_t i : segments_.members(s)) segment.points.push_back(points[i]);
     segment.view = view_of(sensor_, segment.points);
-    if (!segment.view.slices.empty()) take(std::move(segment));
+    if (segment.view.slices.empty()) continue;
+    segment.claims = claims(segment.view);
+    segments.push_back(std::move(segment));
   }
+  leave_behind(segments);
+  for (Segment& segment : segments) take(std::move(segment));
   std::vector<Segment> fresh;
   for (Segment& segment : unclaimed_) {
     if (const auto lost = lost_one(segment.view)) {
@@ -64,7 +87,12 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
     View view = view_of_all(found_[t].points, found_[t].shared);
     if (view.slices.empty()) continue;
     if (!found_[t].shared) objects_[t].note_apart();
-    objects_[t].see(time, std::move(found_[t].points), std::move(view));
+    if (found_[t].parted) {
+      objects_[t].see_alone(time, std::move(found_[t].points), std::move(view));
+    } else {
+      objects_[t].see(time, std::move(found_[t].points), std::move(view));
+    }
+    objects_[t].judge(past_.front().panorama, past_.front().time, panorama_);
   }
   std::vector<TrackedObject> kept;
   for (std::size_t t = 0; t < objects_.size(); ++t) {
@@ -78,9 +106,27 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
   }
 }
 
+/// An object that moves and leads into several segments has those that go with it. What stayed
+/// where it was is no part of it, but was beside it, in one segment.
+void ObjectTracker::leave_behind(std::vector<Segment>& segments) {
+  for (std::size_t t = 0; t < objects_.size(); ++t) {
+    const TrackedObject& object = objects_[t];
+    if (!object.dynamic() || object.since_view().norm() < reach_) continue;
+    std::vector<Segment*> going, staying;
+    for (Segment& segment : segments) {
+      if (std::find(segment.claims.begin(), segment.claims.end(), t) == segment.claims.end())
+        continue;
+      (goes_with(object, segment.view) ? going : staying).push_back(&segment);
+    }
+    if (going.empty()) continue;
+    for (Segment* segment : staying) std::erase(segment->claims, t);
+    found_[t].parted = !staying.empty();
+  }
+}
+
 /// Give a segment to the objects that lead into it.
 void ObjectTracker::take(Segment segment) {
-  std::vector<std::size_t> owners = claims(segment);
+  std::vector<std::size_t> owners = segment.claims;
   drop_fragments(owners);
   if (owners.empty()) {
     unclaimed_.push_back(std::move(segment));
@@ -93,9 +139,9 @@ void ObjectTracker::take(Segment segment) {
 }
 
 /// The objects that lead to where a part of the segment is, or in part to where it is.
-std::vector<std::size_t> ObjectTracker::claims(const Segment& segment) {
-  const Eigen::AlignedBox2d box = box_of(segment.view);
-  const std::size_t columns = columns_of(segment.view);
+std::vector<std::size_t> ObjectTracker::claims(const View& view) const {
+  const Eigen::AlignedBox2d box = box_of(view);
+  const std::size_t columns = columns_of(view);
   std::vector<std::size_t> result;
   for (std::size_t t = 0; t < objects_.size(); ++t) {
     const TrackedObject& object = objects_[t];
@@ -104,8 +150,7 @@ std::vector<std::size_t> ObjectTracker::claims(const Segment& segment) {
     expected.translate(object.since_view());
     if (box.exteriorDistance(expected) > gate) continue;
     std::size_t near = 0;
-    segment.view.for_each_column(
-        [&](const Column& c) { near += object.distance(c.point) < gate ? 1 : 0; });
+    view.for_each_column([&](const Column& c) { near += object.distance(c.point) < gate ? 1 : 0; });
     const std::size_t fewer = std::min(columns, columns_of(object.view()));
     if (near > 0 && static_cast<double>(near) >= kClaim * static_cast<double>(fewer)) {
       result.push_back(t);

@@ -30,10 +30,12 @@ class ObjectTracker {
  private:
   struct Segment {
     std::vector<Eigen::Vector3d> points;
-    View view;  // without edges
+    View view;                        // without edges
+    std::vector<std::size_t> claims;  // objects that lead into it
   };
+  void leave_behind(std::vector<Segment>& segments);
   void take(Segment segment);
-  std::vector<std::size_t> claims(const Segment& segment);
+  std::vector<std::size_t> claims(const View& view) const;
   void drop_fragments(std::vector<std::size_t>& claims);
   void share_out(const Segment& segment, const std::vector<std::size_t>& claims);
   std::optional<std::size_t> lost_one(const View& view) const;
@@ -42,6 +44,11 @@ class ObjectTracker {
   double reach_;
   Segments segments_;
   Panorama panorama_;
+  struct Past {
+    double time;  // [s]
+    Panorama panorama;
+  };
+  std::vector<Past> past_;      // and this scan's
   std::optional<double> time_;  // of the last scan [s]
   Eigen::Vector2d sensor_ = Eigen::Vector2d::Zero();
   std::int64_t last_id_ = 0;
@@ -51,6 +58,7 @@ class ObjectTracker {
   struct Found {
     std::vector<Eigen::Vector3d> points;
     bool shared = false;    // with another, in one segment
+    bool parted = false;    // what was beside it stayed behind
     bool fragment = false;  // a segment that it led into is another's
   };
   std::vector<Found> found_;  // per object

@@ -11,6 +11,8 @@ constexpr std::size_t kBins = 2048;
 constexpr double kBinsPerQuarter = 512;          // a quarter of kBins
 constexpr double kNearer = 0.1;                  // [m]: what is nearer by this hides
 constexpr double kBeside[] = {1, 1.7};           // columns, of 6 mrad or more: where that is sought
+constexpr double kPast = 0.3;                    // [m]: what was seen farther off was seen past
+constexpr std::size_t kBlur = 2;                 // bins: a LiDAR's columns may be so far apart
 constexpr double kEnd = 0.03, kEndShare = 0.05;  // [m], of the width: so near to the object's end
 
 }  // namespace
@@ -32,6 +34,16 @@ void Panorama::fill(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector
     float& nearest = nearest_[bin(d)];
     nearest = std::min(nearest, static_cast<float>(d.norm()));
   }
+}
+
+bool Panorama::seen_past(const Eigen::Vector2d& p) const {
+  const Eigen::Vector2d d = p - sensor_;
+  const auto beyond = static_cast<float>(d.norm() + kPast);
+  const std::size_t middle = bin(d) + kBins;
+  for (std::size_t b = middle - kBlur; b <= middle + kBlur; ++b) {
+    if (nearest_[b % kBins] < beyond) return false;
+  }
+  return true;
 }
 
 void Panorama::mark_edges(View& view) const {

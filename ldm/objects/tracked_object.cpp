@@ -1,6 +1,7 @@
 #include "ldm/objects/tracked_object.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,11 +21,26 @@ constexpr int kOutlineViews = 5;
 constexpr double kSameSide = 0.985;  // cosine
 constexpr double kPart = 0.7;        // of the width
 
+constexpr double kGoneShare = 0.5;  // of what a way would change, to believe it
+constexpr double kRest = 1;         // after so long without a velocity it is asked for again [s]
+constexpr std::size_t kLeastPlaces = 3;
+
 constexpr double kAlike = 0.2;            // of the speed
 constexpr double kAlikeSignificance = 9;  // chi^2 of the difference
 
 Eigen::Matrix2d position_floor() {
   return kFloor * kFloor * Eigen::Matrix2d::Identity();
+}
+
+/// Whether enough of the columns stand where a panorama saw past, after a way [m] that they go, or
+/// have gone: of a way of their whole extent all would, of less a part.
+bool vacant(const std::vector<Eigen::Vector2d>& columns, double way, const Panorama& panorama) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : columns) box.extend(p);
+  const double expected = way < box.diagonal().norm() ? way / box.diagonal().norm() : 1;
+  const auto past = std::count_if(columns.begin(), columns.end(),
+                                  [&](const auto& p) { return panorama.seen_past(p); });
+  return static_cast<double>(past) >= kGoneShare * expected * static_cast<double>(columns.size());
 }
 
 }  // namespace
@@ -46,7 +62,7 @@ double TrackedObject::position_sigma() const {
   return std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
 }
 
-bool TrackedObject::dynamic() const {
+bool TrackedObject::significant() const {
   const Eigen::Vector2d v = velocity();
   return views_ >= kLeastViews && v.norm() >= kLeastSpeed &&
          v.dot(velocity_covariance().inverse() * v) >= kSignificance;
@@ -67,19 +83,50 @@ void TrackedObject::see(double time, std::vector<Eigen::Vector3d> points, View v
   if (other.cost < d.cost) d = other;
   filter_.update(at_outline_ + d.value, d.information.inverse() + position_floor());
 
-  seen_ = time;
-  ++views_;
-  points_ = std::move(points);
-  view_ = std::move(view);
-  at_view_ = position();
+  take(time, std::move(points), std::move(view));
   ++outline_age_;
   const bool due = outline_age_ >= kOutlineViews || view_.axis.dot(outline_.view.axis) < kSameSide;
   const bool part = view_.width() < kPart * outline_.view.width();
   if ((due && !part) || outline_age_ >= 2 * kOutlineViews) {
-    outline_ = outline_of(view_);
-    at_outline_ = at_view_;
-    outline_age_ = 0;
+    renew_outline();
   }
+}
+
+void TrackedObject::see_alone(double time, std::vector<Eigen::Vector3d> points, View view) {
+  take(time, std::move(points), std::move(view));
+  renew_outline();
+}
+
+void TrackedObject::take(double time, std::vector<Eigen::Vector3d> points, View view) {
+  seen_ = time;
+  missed_ = 0;
+  ++views_;
+  points_ = std::move(points);
+  view_ = std::move(view);
+  at_view_ = position();
+}
+
+void TrackedObject::renew_outline() {
+  outline_ = outline_of(view_);
+  at_outline_ = at_view_;
+  outline_age_ = 0;
+}
+
+void TrackedObject::judge(const Panorama& then, double time, const Panorama& now) {
+  Place& place = places_.emplace_back(Place{seen_, {}});
+  view_.for_each_column([&](const Column& c) { place.columns.push_back(c.point); });
+  while (places_.size() > kLeastPlaces && places_.front().time < time) {
+    places_.erase(places_.begin());
+  }
+  if (!significant()) {
+    if (seen_ - last_significant_ > kRest) gone_ = false;
+    return;
+  }
+  last_significant_ = seen_;
+  const double speed = velocity().norm();
+  const Place& before = places_.front();
+  gone_ = gone_ || vacant(places_.back().columns, speed * (seen_ - time), then) ||
+          vacant(before.columns, speed * (seen_ - before.time), now);
 }
 
 bool move_alike(const TrackedObject& a, const TrackedObject& b) {

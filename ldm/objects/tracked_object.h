@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ldm/objects/motion_filter.h"
+#include "ldm/objects/panorama.h"
 #include "ldm/objects/registration.h"
 #include "ldm/objects/view.h"
 
@@ -26,8 +27,9 @@ class TrackedObject {
     return filter_.state().covariance.bottomRightCorner<2, 2>();
   }
   double position_sigma() const;  ///< along the axis where it is larger [m]
-  /// Its velocity is beyond chance: outside of its 99.9 % ellipse around zero, and 0.1 m/s or more.
-  bool dynamic() const;
+  /// Its velocity is beyond chance: outside of its 99.9 % ellipse around zero, and 0.1 m/s or more;
+  /// and it has gone there: see `judge`.
+  bool dynamic() const { return gone_ && significant(); }
 
   /// Returns of its last view [m], and how far it has gone since.
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
@@ -37,15 +39,33 @@ class TrackedObject {
   /// Horizontal distance of p from the columns of its last view, moved to where it is now [m].
   double distance(const Eigen::Vector2d& p) const;
 
-  void predict(double dt) { filter_.predict(dt); }
+  /// dt [s] later, at the next scan.
+  void predict(double dt) {
+    filter_.predict(dt);
+    ++missed_;
+  }
+  int missed() const { return missed_; }  ///< scans since it was last seen
   /// Seen again, at `time` [s].
   void see(double time, std::vector<Eigen::Vector3d> points, View view);
+
+  /// Seen again without what was beside it in its last view: that tells no way, but later views are
+  /// registered against this one.
+  void see_alone(double time, std::vector<Eigen::Vector3d> points, View view);
+
+  /// After each view: has it gone where its velocity says? If so it stands where `then`, a panorama
+  /// of `time` [s], saw past, or `now` sees past where it stood. Outlines seem to move without:
+  /// those of a wall that is seen bit by bit, or through a gap.
+  void judge(const Panorama& then, double time, const Panorama& now);
 
   /// Views in which nothing else was in its segment.
   std::int64_t apart() const { return apart_; }
   void note_apart() { ++apart_; }
 
  private:
+  bool significant() const;
+  void take(double time, std::vector<Eigen::Vector3d> points, View view);
+  void renew_outline();
+
   std::int64_t id_;
   double since_, seen_;
   std::int64_t views_ = 1, apart_ = 1;
@@ -56,6 +76,14 @@ class TrackedObject {
   Outline outline_;  // views are registered against
   Eigen::Vector2d at_outline_;
   int outline_age_ = 0;  // [views]
+  int missed_ = 0;
+  struct Place {
+    double time;                           // [s]
+    std::vector<Eigen::Vector2d> columns;  // world [m]
+  };
+  std::vector<Place> places_;    // where it stood, of late
+  bool gone_ = false;            // from there, since it last was at rest
+  double last_significant_ = 0;  // [s]
 };
 
 /// True if both move, and one as the other: they may be parts of one thing.

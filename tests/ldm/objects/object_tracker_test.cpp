@@ -85,6 +85,63 @@ TEST_F(ObjectTrackerTest, NothingIsTooFast) {
   }
 }
 
+/// The part of a wall that is seen through a gap slides along it while the vehicle passes.
+TEST_F(ObjectTrackerTest, AWallSeenThroughAGapDoesNotMove) {
+  const std::vector<Box> boxes{
+      {{2, -2.65, 1}, {0.1, 4.7, 2}}, {{2, 2.65, 1}, {0.1, 4.7, 2}}, {{6, 0, 1}, {0.1, 20, 2}}};
+  double fastest = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d sensor(0, -2 + 0.2 * i, 1);
+    tracker_.update(0.1 * i, sensor, lidar_.returns(sensor, boxes));
+    for (const TrackedObject& object : tracker_.objects()) {
+      EXPECT_FALSE(object.dynamic()) << i << ' ' << object.position().transpose();
+      if (object.views() >= 5) fastest = std::max(fastest, object.velocity().norm());
+    }
+  }
+  EXPECT_GT(fastest, 2);  // its outline does
+}
+
+/// A car that comes out from behind another that drives by: at first they are one segment.
+TEST_F(ObjectTrackerTest, WhatMovesLeavesBehindWhatStandsBesideIt) {
+  tracker_ = ObjectTracker(0.3);
+  const auto driving = [](int i) { return Box{{-7 + 0.6 * i, 5, 1}, {4, 1.6, 1.4}}; };
+  const Box parked{{1, 6.9, 1}, {4, 1.6, 1.4}};
+  std::int64_t before = 0;
+  for (int i = 0; i < 28; ++i) {
+    see(i < 8 ? std::vector{driving(i)} : std::vector{driving(i), parked});
+    if (i == 7) before = id(driving(i));
+  }
+  ASSERT_NE(at(driving(27)), nullptr);
+  ASSERT_NE(at(parked), nullptr);
+  EXPECT_EQ(id(driving(27)), before);
+  EXPECT_TRUE(at(driving(27))->dynamic());
+  EXPECT_NEAR(at(driving(27))->velocity().x(), 6, 1);
+  EXPECT_NE(id(parked), before);
+  EXPECT_FALSE(at(parked)->dynamic());
+}
+
+/// Away from the sensor all places ahead are hidden: it is gone from where it stood.
+TEST_F(ObjectTrackerTest, WhatGoesStraightAwayMoves) {
+  for (int i = 0; i < 12; ++i) see({person(1.5 + 0.1 * i, 0)});
+  ASSERT_EQ(tracker_.objects().size(), 1u);
+  EXPECT_TRUE(tracker_.objects()[0].dynamic());
+}
+
+TEST_F(ObjectTrackerTest, WhatStopsIsStaticAgain) {
+  for (int i = 0; i < 40; ++i) see({person(2, -1 + 0.1 * std::min(i, 15))});
+  ASSERT_EQ(tracker_.objects().size(), 1u);
+  EXPECT_FALSE(tracker_.objects()[0].dynamic());
+}
+
+/// At 1 Hz the memory counts in scans.
+TEST_F(ObjectTrackerTest, KeepsTheNumberOfWhatASlowLogMisses) {
+  for (int k = 0; k < 5; ++k) tracker_.update(k, kSensor, lidar_.returns(kSensor, {person(2, 0)}));
+  tracker_.update(8, kSensor, {});
+  tracker_.update(10, kSensor, lidar_.returns(kSensor, {person(2, 0)}));
+  ASSERT_EQ(tracker_.objects().size(), 1u);
+  EXPECT_EQ(tracker_.objects()[0].id(), 1);
+}
+
 TEST_F(ObjectTrackerTest, KeepsItsNumberBehindAnother) {
   const Box pillar{{1.5, 0, 1}, {0.4, 0.6, 2}};
   const auto walker = [](int i) { return person(3, -2 + 0.1 * i); };
