@@ -51,8 +51,8 @@ FlightFilm::FlightFilm(const std::filesystem::path& file, std::string heading,
       colours_(kClusterColours) {}
 
 void FlightFilm::add(const FlightMoment& moment, const ldm::LocalMap& map) {
-  picture_ = picture_of(moment.frame, map,
-                        colours_.next(moment.frame.scan.time, map.clusters), heading_);
+  picture_ =
+      picture_of(moment.frame, map, colours_.next(moment.frame.scan.time, map.clusters), heading_);
   flown_.push_back(moment.frame.scan.T_world_uav.translation);
   picture_.paths = {planned_path(moment, knot_step_), flown_path(flown_, picture_.border)};
   video_.add(pixels(picture_));

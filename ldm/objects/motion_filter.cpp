@@ -14,6 +14,7 @@ constexpr double kTurnsTo[] = {0.3, 1, 1, 1};        // relative: what moves sel
 constexpr double kRestDrift = 0.004;                 // of a position at rest, a view [m]
 constexpr double kRestSigma = 0.001;                 // of a velocity at rest [m/s]
 constexpr double kUnknownSpeed = 6;                  // standard deviation, per axis [m/s]
+constexpr double kUnlikely = 0.05;                   // a mode no ellipse of 95 % holds
 constexpr double kLeastProbability = 1e-6;           // of a mode: none is given up for ever
 
 double transition(std::size_t from, std::size_t to) {
@@ -84,6 +85,19 @@ MotionState MotionFilter::mix(const std::array<double, kModes>& weights) const {
     mixed.covariance += weights[m] * (modes_[m].state.covariance + apart * apart.transpose());
   }
   return mixed;
+}
+
+Eigen::Matrix2d MotionFilter::velocity_covariance() const {
+  double total = 0;
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  for (const Mode& mode : modes_) {
+    if (mode.probability < kUnlikely) continue;
+    const Eigen::Vector2d apart = (mode.state.mean - mixed_.mean).tail<2>();
+    const Eigen::Matrix2d own = mode.state.covariance.bottomRightCorner<2, 2>();
+    covariance += mode.probability * (own + apart * apart.transpose());
+    total += mode.probability;
+  }
+  return covariance / total;
 }
 
 void MotionFilter::predict(double dt) {

@@ -27,6 +27,9 @@ class MotionFilter {
   void update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
 
   const MotionState& state() const { return mixed_; }
+  /// Of the velocity, over the ways to move that are likely [m^2/s^2]: an abrupt turn always has a
+  /// chance of some per cent and knows little; it is no part of an ellipse that holds 95 %.
+  Eigen::Matrix2d velocity_covariance() const;
   double probability_of_rest() const { return modes_[0].probability; }
 
  private:

@@ -45,7 +45,7 @@ void ObjectLdm::update(const Scan& scan, StageListener* listener) {
 
   stage("tracking");
   track(scan);
-  occupy_moving();
+  occupy_seen();
 
   stage("clustering");  // Sec. 3.5
   clustering_.find(log_odds_);
@@ -68,12 +68,12 @@ void ObjectLdm::track(const Scan& scan) {
   tracker_.update(scan.time, scan.T_world_sensor.translation, points_);
 }
 
-/// One return of what is known to move is enough: the log-odds of a voxel that it crosses in a scan
-/// or two would have no time to rise.
-void ObjectLdm::occupy_moving() {
+/// One return of what is followed is enough: the log-odds of a voxel that an object crosses in a
+/// scan or two would have no time to rise.
+void ObjectLdm::occupy_seen() {
   const auto hit = static_cast<float>(ldm::log_odds(parameters_.sensor_model.p_occ));
   for (const TrackedObject& object : tracker_.objects()) {
-    if (object.seen() < *time_ || !object.dynamic()) continue;
+    if (object.seen() < *time_) continue;
     for (const Eigen::Vector3d& p : object.points()) {
       const VoxelIndex v = voxel_at(p, parameters_.map.resolution);
       if (log_odds_.index().window().contains(v)) log_odds_.at(v) = std::max(log_odds_.at(v), hit);

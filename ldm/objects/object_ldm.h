@@ -31,7 +31,7 @@ class ObjectLdm final : public Mapper {
 
  private:
   void track(const Scan& scan);
-  void occupy_moving();
+  void occupy_seen();
   void set_clusters();
 
   Parameters parameters_;

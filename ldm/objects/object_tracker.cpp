@@ -37,14 +37,14 @@ std::size_t columns_of(const View& view) {
   return n;
 }
 
-/// True if most columns of a view fit to the object where it has gone better than where it was.
+/// True if the columns of a view fit better to the object where it has gone than where it was.
 bool goes_with(const TrackedObject& object, const View& view) {
-  std::ptrdiff_t balance = 0;
+  double moved = 0, stayed = 0;
   view.for_each_column([&](const Column& c) {
-    const double moved = object.distance(c.point);
-    balance += moved <= object.distance(c.point + object.since_view()) ? 1 : -1;
+    moved += object.distance(c.point);
+    stayed += object.distance(c.point + object.since_view());
   });
-  return balance >= 0;
+  return moved <= stayed;
 }
 
 }  // namespace

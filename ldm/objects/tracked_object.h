@@ -23,9 +23,7 @@ class TrackedObject {
   /// A point that moves with it: the centre of its first view [m].
   Eigen::Vector2d position() const { return filter_.state().mean.head<2>(); }
   Eigen::Vector2d velocity() const { return filter_.state().mean.tail<2>(); }  ///< [m/s]
-  Eigen::Matrix2d velocity_covariance() const {                                ///< [m^2/s^2]
-    return filter_.state().covariance.bottomRightCorner<2, 2>();
-  }
+  Eigen::Matrix2d velocity_covariance() const { return filter_.velocity_covariance(); }
   double position_sigma() const;  ///< along the axis where it is larger [m]
   /// Its velocity is beyond chance: outside of its 99.9 % ellipse around zero, and 0.1 m/s or more;
   /// and it has gone there: see `judge`.

@@ -46,11 +46,11 @@ TEST_F(Score, LabelsAreAReferenceToo) {
   EXPECT_EQ(result.code, 0) << result.error;
   EXPECT_EQ(result.out.rfind("moving points: intersection over union ", 0), 0u) << result.out;
   EXPECT_NE(result.out.find(" points in 25 frames, "), std::string::npos);
-  EXPECT_NE(folder_.read("l/score.json").find("\"moving_iou\": 0."), std::string::npos);
+  EXPECT_NE(folder_.read("l/score.json").find("\"moving_iou\":0."), std::string::npos);
   EXPECT_FALSE(exists("l/score.csv"));
   // The run against itself.
   ASSERT_EQ(ldm("score l --labels l/labels --truth a.truth.csv").code, 0);
-  EXPECT_NE(folder_.read("l/score.json").find("\"moving_iou\": 1.0"), std::string::npos);
+  EXPECT_NE(folder_.read("l/score.json").find("\"moving_iou\":1.0"), std::string::npos);
   EXPECT_TRUE(exists("l/score.csv"));
   // A run of the same folder without labels leaves none of the former's.
   ASSERT_EQ(ldm("run empty_map scenario3 --frames 2 -o l").code, 0);

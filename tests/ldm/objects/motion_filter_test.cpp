@@ -78,7 +78,7 @@ TEST(MotionFilter, WithoutMeasurementItGoesOnAndKnowsLess) {
 TEST(MotionFilter, CovarianceHoldsTheTruth) {
   std::mt19937 random(4);
   std::normal_distribution<double> noise(0, 0.003);
-  int held = 0, all = 0;
+  int held = 0, likely = 0, all = 0;
   for (int flight = 0; flight < 40; ++flight) {
     const Eigen::Vector2d v(0.3 + 0.05 * flight, 1 - 0.05 * flight);
     MotionFilter filter({0, 0}, kMillimetres);
@@ -89,10 +89,28 @@ TEST(MotionFilter, CovarianceHoldsTheTruth) {
       const Eigen::Vector2d error = velocity(filter) - v;
       const Eigen::Matrix2d covariance = filter.state().covariance.bottomRightCorner<2, 2>();
       held += error.dot(covariance.inverse() * error) < 5.99 ? 1 : 0;
+      likely += error.dot(filter.velocity_covariance().inverse() * error) < 5.99 ? 1 : 0;
       ++all;
     }
   }
   EXPECT_GT(held, 0.93 * all);
+  EXPECT_GT(likely, 0.93 * all);
+}
+
+/// On a straight way the chance of an abrupt turn makes most of the whole covariance, not of that
+/// of the likely ways; at a turn both know that.
+TEST(MotionFilter, UnlikelyTurnsAreNotInTheLikelyCovariance) {
+  MotionFilter filter({0, 0}, kMillimetres);
+  const auto see = [&](double x) {
+    filter.predict(0.1);
+    filter.update({x, 0}, kMillimetres);
+  };
+  for (int i = 1; i <= 30; ++i) see(0.1 * i);
+  const double whole = filter.state().covariance(2, 2);
+  const double likely = filter.velocity_covariance()(0, 0);
+  EXPECT_LT(likely, 0.5 * whole);
+  see(2.9);
+  EXPECT_GT(filter.velocity_covariance()(0, 0), 10 * likely);
 }
 
 }  // namespace

@@ -108,8 +108,8 @@ TEST_F(ObjectTrackerTest, WhatMovesLeavesBehindWhatStandsBesideIt) {
   const Box parked{{1, 6.9, 1}, {4, 1.6, 1.4}};
   std::int64_t before = 0;
   for (int i = 0; i < 28; ++i) {
-    see(i < 8 ? std::vector{driving(i)} : std::vector{driving(i), parked});
-    if (i == 7) before = id(driving(i));
+    see(i < 20 ? std::vector{driving(i)} : std::vector{driving(i), parked});
+    if (i == 19) before = id(driving(i));
   }
   ASSERT_NE(at(driving(27)), nullptr);
   ASSERT_NE(at(parked), nullptr);
