@@ -226,8 +226,9 @@ TEST_F(Program, RunWritesItsTables) {
   EXPECT_EQ(result.code, 0) << result.error;
   EXPECT_EQ(result.error, "");  // no progress line: stderr is no terminal
   EXPECT_EQ(folder_.read("o/clusters.csv")
-                .rfind("frame,time_s,cluster,track,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,"
-                       "vx_mps,vy_mps,vz_mps,voxels,points,dynamic\n0,0.000000,0,1,",
+                .rfind("frame,time_s,cluster,track,age_s,x_m,y_m,z_m,size_x_m,size_y_m,size_z_m,"
+                       "vx_mps,vy_mps,vz_mps,vx_vx_m2ps2,vx_vy_m2ps2,vy_vy_m2ps2,voxels,points,"
+                       "dynamic\n0,0.000000,0,1,0.000000,",
                        0),
             0u);
   EXPECT_EQ(lines(folder_.read("o/timing.csv")), 5u);
