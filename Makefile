@@ -335,6 +335,20 @@ conditions-kept: setup ## tables and figures of the search that is kept in the r
 	done
 	@$(draw_conditions)
 
+# Of the same flights under three readings; the maps of one frame.
+readings := ungated trilinear
+mechanism := $(RESULTS)/conditions/mechanism
+.PHONY: mechanism
+mechanism: program ## why the paper's claims fail under other readings: two figures, half a minute
+	@mkdir -p '$(mechanism)'
+	@for world in outdoor1 scenario1; do \
+	  $(program_here) simulate $$world --seed 1 --frames 240 -o '$(mechanism)'/$$world.rawlog > /dev/null; \
+	  for reading in defaults $(readings); do echo $$world $$reading; done; done | $(per_line) bash -c '\
+	    file=experiments/conditions/readings/$$2.toml; \
+	    "$(LDM)" --data-dir . run ldm "$(mechanism)/$$1.rawlog" $$([ -f $$file ] && echo -c $$file) \
+	      --save-frames 200 --save-as ply -o "$(mechanism)/$$2.$$1"' run > /dev/null
+	@$(PYTHON) -m analysis.conditions.mechanism --results '$(RESULTS)' --readings $(readings) defaults --frame 200
+
 define draw_conditions
 $(PYTHON) -m analysis.conditions.claims_map --results '$(RESULTS)' && \
 $(PYTHON) -m analysis.conditions.pair_map --results '$(RESULTS)'

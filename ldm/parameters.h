@@ -50,15 +50,15 @@ struct SurvivalParameters {
 
 struct PredictionParameters {
   SubVoxelMotion sub_voxel = SubVoxelMotion::kResidual;
-  double min_speed = 0.0;
+  double min_speed = 0.1;
 };
 
 struct ParticleParameters {
   std::int64_t count = 200000;
-  double sigma_xy = 0.8;
-  double sigma_z = 0.16;
+  double sigma_xy = 0.35;
+  double sigma_z = 0.07;
   bool birth = true;
-  std::int64_t min_per_voxel = 20;
+  std::int64_t min_per_voxel = 800;
 };
 
 struct ClusterParameters {

@@ -1,4 +1,4 @@
-"""The scenario files of a condition: the shipped ones with its speeds, sizes and sensor."""
+"""The scenario files of a condition: BASES with its speeds, sizes and sensor."""
 
 from __future__ import annotations
 
@@ -7,18 +7,20 @@ from pathlib import Path
 
 from unknowns import Value
 
-SHIPPED = Path(__file__).resolve().parents[2] / "datasets" / "scenarios"
+SCENARIOS = Path(__file__).resolve().parents[2] / "datasets" / "scenarios"
+BASES = {"scenario1": "scenario1_fast", "scenario2": "scenario2", "scenario3": "scenario3_fast"}
+"""What a condition changes. The shipped scenario1 and scenario3 are themselves the worlds of a condition."""
 SPREAD = (2 / 3, 4 / 3)
 """Every obstacle draws its speed, acceleration and way between turns from its mean times these."""
 NUMBER_EXPONENT = -1.2
-"""Number of obstacles = shipped number x width_scale ^ this: [11] then errs about as often
+"""Number of obstacles = number of the base x width_scale ^ this: [11] then errs about as often
 (analysis/conditions shows its accuracy beside the paper's for every condition)."""
 
 
 def scenario_text(name: str, condition: dict[str, Value]) -> str:
     """The file of a scenario under a condition. People outdoors are as they are: only what the paper
     leaves open of scenarios 1 to 3 changes."""
-    with (SHIPPED / f"{name}.toml").open("rb") as stream:
+    with (SCENARIOS / f"{BASES[name]}.toml").open("rb") as stream:
         scenario = tomllib.load(stream)
     scenario["sensor"]["range_sigma_m"] = condition["range_sigma_m"]
     elevation = condition["elevation_deg"]

@@ -56,6 +56,7 @@ std::deque<Method>& table() {
        .parameters = {"map", "sensor_model", "particles", "clusters", "execution"},
        .overrides = {{"particles.sigma_xy_mps", "0.35"},
                      {"particles.sigma_z_mps", "0.35"},
+                     {"particles.min_per_voxel", "20"},
                      {"clusters.readjust", "false"}},
        .create = create<baselines::CircularBufferPf>},
       {.name = "circular_buffer_pf_eq17",
