@@ -168,7 +168,7 @@ TEST(Study, ShippedStudiesAreGood) {
   }
   const Study table1 = read_study(kShipped.studies.file("table1"), kShipped.scenarios);
   EXPECT_EQ(table1.frames, 1200);
-  EXPECT_EQ(table1.trial_count(), 210u);
+  EXPECT_EQ(table1.trial_count(), 270u);
 }
 
 TEST(StudyErrors, OfTheOutermostKeys) {
