@@ -15,6 +15,14 @@ Eigen::Vector3d centre_of(const ldm::VoxelIndex& low, const ldm::VoxelIndex& hig
   return (low + high + ldm::VoxelIndex::Ones()).cast<double>() * (resolution / 2);
 }
 
+/// Standard deviation of a cluster's velocity where it is largest [m/s].
+double velocity_sigma(const ldm::Cluster& cluster) {
+  const Eigen::Matrix2d covariance = cluster.velocity_covariance.cast<double>();
+  if (covariance.isZero(0)) return kVelocitySigma;
+  const double mean = covariance.trace() / 2;
+  return std::sqrt(mean + std::hypot((covariance(0, 0) - covariance(1, 1)) / 2, covariance(0, 1)));
+}
+
 /// The voxels that one cluster spans.
 struct Span {
   ldm::VoxelIndex low, high;
@@ -88,10 +96,11 @@ class MappedSight final : public Sight {
     const Eigen::Vector3d centre = centre_of(span.low, span.high, map_.resolution);
     mover.half_size =
         (span.high - span.low + ldm::VoxelIndex::Ones()).cast<double>() * (map_.resolution / 2);
+    const double sigma = velocity_sigma(cluster);
     for (const double t : times) {
       mover.centre.emplace_back(centre + t * cluster.velocity.cast<double>());
       mover.doubt.push_back(
-          std::min(kMostDoubt, trust_.doubt * std::hypot(kPlaceSigma, kVelocitySigma * t)));
+          std::min(kMostDoubt, trust_.doubt * std::hypot(kPlaceSigma, sigma * t)));
     }
     return mover;
   }

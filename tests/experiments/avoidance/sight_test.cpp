@@ -14,6 +14,8 @@ constexpr double kEdge = 0.1;
 /// of 2 x 1 x 3 voxels from (20, 10, 4) on that moves at 1 m/s along y.
 class TwoClusters final : public ldm::Mapper {
  public:
+  static inline Eigen::Matrix2f covariance;  ///< of the velocity of the one that moves
+
   explicit TwoClusters(const ldm::Parameters&) {}
   void update(const ldm::Scan&, ldm::StageListener*) override {}
   void read(ldm::LocalMap& map) const override {
@@ -24,6 +26,7 @@ class TwoClusters final : public ldm::Mapper {
     map.clusters.resize(2);
     map.clusters[0].velocity = {0.1F, 0, 0};
     map.clusters[1].velocity = {0, 1, 0};
+    map.clusters[1].velocity_covariance = covariance;
     for (std::size_t i = 0; i < map.window.count(); ++i) {
       const ldm::VoxelIndex v = map.window.voxel(i);
       const bool moves = (v.array() >= Eigen::Array3i(20, 10, 4)).all() &&
@@ -35,7 +38,9 @@ class TwoClusters final : public ldm::Mapper {
   }
 };
 
-std::unique_ptr<Sight> sight_of_two_clusters(const Trust& trust) {
+std::unique_ptr<Sight> sight_of_two_clusters(
+    const Trust& trust, const Eigen::Matrix2f& covariance = Eigen::Matrix2f::Zero()) {
+  TwoClusters::covariance = covariance;
   static const Method kMethod{.name = "two_clusters",
                               .help = "",
                               .finds_clusters = true,
@@ -59,6 +64,19 @@ TEST(MappedSight, TakesWhatMovesOutOfTheFieldAndPredictsItsBox) {
   // Where the mover is now, nothing stands nearer than the wall: 2.05 - 0.55 m, at most the reach.
   EXPECT_NEAR(around.from_still({1.55, 1.05, 0.55}).value, 1.0, 1e-5);
   EXPECT_NEAR(around.from_still({2.05, 1.05, 0.55}).value, 1.5, 1e-5);
+}
+
+/// Of [[0.05, 0.03], [0.03, 0.13]] the eigenvalues are 0.14 and 0.04.
+TEST(MappedSight, WidensWhatMovesByTheCovarianceOfItsVelocity) {
+  Surroundings around;
+  Eigen::Matrix2f covariance;
+  covariance << 0.05F, 0.03F, 0.03F, 0.13F;
+  const auto sight = sight_of_two_clusters({.margin = 0, .doubt = 2}, covariance);
+  sight->predict({0, 0.5, 30}, around);
+  const std::vector<double>& doubt = around.movers.at(0).doubt;
+  EXPECT_NEAR(doubt[0], 2 * 0.1, 1e-6);
+  EXPECT_NEAR(doubt[1], 2 * std::hypot(0.1, std::sqrt(0.14) * 0.5), 1e-6);
+  EXPECT_EQ(doubt[2], 0.8) << "at most";
 }
 
 TEST(MappedSight, LetsEverythingStandBelowTheSpeed) {
