@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import json
 import os
 import re
 import shlex
@@ -157,7 +158,7 @@ def on_this_machine(args: argparse.Namespace, waiting: list[Batch]) -> int:
 
 def over_slurm(args: argparse.Namespace, folder: Path, missing: list[Trial]) -> int:
     """Run the missing trials as an array job, each task of which is this script with a share; how many
-    are missing after it."""
+    failed or are missing after it."""
     if not missing:
         return 0
     logs = folder / "slurm"
@@ -169,16 +170,19 @@ def over_slurm(args: argparse.Namespace, folder: Path, missing: list[Trial]) -> 
     number = slurm_run.submit(f"conditions {args.stage}", logs,
                               f'{command} --share="$SLURM_ARRAY_TASK_ID"/{args.shards}', request)
     print(f"{args.stage}: Slurm's job {number}, logs in {logs}", file=sys.stderr)
+    failed = 0
     try:
         with Progress(args.stage, len(missing)) as progress:
             while True:
                 queued = slurm_run.is_queued(number)
                 for trial in [trial for trial in missing if trial.record.exists()]:
                     missing.remove(trial)
-                    progress.count(failed=False)
+                    bad = json.loads(trial.record.read_text(encoding="utf-8"))["status"] != "ok"
+                    failed += bad
+                    progress.count(failed=bad)
                 progress.show()
                 if not queued:
-                    return len(missing)
+                    return failed + len(missing)
                 time.sleep(slurm_run.POLL_S)
     except Interrupted:
         slurm_run.cancel(number)

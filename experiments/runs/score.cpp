@@ -71,7 +71,7 @@ void print(const RunGhosts& ghosts, std::ostream& out) {
   if (ghosts.seconds_to_clear) {
     out << "after " << datasets::rounded(*ghosts.seconds_to_clear, 2) << " s\n";
   } else {
-    out << "never\n";
+    out << "never, or nothing was left\n";
   }
 }
 
@@ -111,6 +111,7 @@ void score_run(const ScoreRequest& request, std::ostream& out) {
     print(*scores.objects, out);
   } else {
     json.commit();
+    std::filesystem::remove(request.run / "score.csv");  // of an earlier reference
   }
   if (scores.ghosts) print(*scores.ghosts, out);
   if (scores.points) print(*scores.points, out);

@@ -87,9 +87,12 @@ class Scorer {
     if (!map.contains(object.position)) return;
     if (object.moves()) score_.recall.add(found.dynamic ? 1 : 0);
     Tracks& tracks = tracks_[object.id];
-    const bool switched = tracks.last && *tracks.last != found.track;
-    tracks.all.insert(found.track);
-    tracks.last = found.track;
+    const bool followed = found.track != 0;
+    const bool switched = followed && tracks.last && *tracks.last != found.track;
+    if (followed) {
+      tracks.all.insert(found.track);
+      tracks.last = found.track;
+    }
     for (ObjectScore* score : {&count(object).score, &sum_of(object.dynamic)}) {
       score->position_error.add((found.position - object.position).norm());
       score->velocity_error.add((found.velocity - object.velocity).norm());

@@ -56,6 +56,9 @@ std::unique_ptr<ScanReader> open_bin_folder(const fs::path& folder,
     tables = nuscenes_tables(folder);
   if (tables) {
     scans.timeline.times = options.times;
+    if (!options.times && fs::exists(folder / "times.txt")) {
+      scans.timeline.times = folder / "times.txt";
+    }
   } else {
     scans.timeline = timeline_files(folder / "times.txt", folder / "poses.txt", options);
   }

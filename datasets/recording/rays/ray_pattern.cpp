@@ -198,7 +198,7 @@ void RayPattern::find_step() {
 }
 
 bool RayPattern::holds(const std::vector<RayAngles>& returns) const {
-  if (slopes_.empty() || step_ == 0) return false;
+  if (returns.empty() || slopes_.empty() || step_ == 0) return false;
   std::size_t far = 0, on_rings = 0;
   for (const RayAngles& angles : returns) {
     if (angles.range < kFarFromBeams) continue;

@@ -26,7 +26,7 @@ class GhostsOfARun : public testing::Test {
       truth_[number].objects = {{.id = 1,
                                  .dynamic = true,
                                  .position = Eigen::Vector3d(1000.25 + 0.5 * x, 0.25, 0.25),
-                                 .velocity = {},
+                                 .velocity = Eigen::Vector3d::Zero(),
                                  .size = Eigen::Vector3d::Constant(0.4)}};
     }
   }

@@ -23,7 +23,7 @@ struct OusterMetadata {
   Eigen::Isometry3d T_sensor_lidar = Eigen::Isometry3d::Identity();
 };
 
-/// Metadata of any firmware from 1.14 on: in the form of its time, or in that with sections.
+/// Metadata of any firmware from 2.0 on: in the form of its time, or in that with sections.
 /// @throws ldm::InvalidInput if it cannot be read, or what points need is missing or none.
 OusterMetadata read_ouster_metadata(const std::filesystem::path& file);
 

@@ -103,7 +103,7 @@ class OusterScans : public PacketScans {
     scan_.time = datagram.time;
     scan_.points.clear();
     scan_.delays.clear();
-    first_ = number_at(datagram.payload.data() + profile_.packet_header, sizeof first_);
+    first_.reset();
   }
 
   void take_column(const char* column) {
@@ -115,8 +115,9 @@ class OusterScans : public PacketScans {
     if (!measured || number >= metadata_.columns) return;
     // Its clock may have been set back.
     const std::uint64_t time = number_at(column, sizeof time);
+    if (!first_) first_ = time;
     const float delay =
-        static_cast<float>(1e-9 * static_cast<double>(static_cast<std::int64_t>(time - first_)));
+        static_cast<float>(1e-9 * static_cast<double>(static_cast<std::int64_t>(time - *first_)));
     const double turn = 2 * std::numbers::pi *
                         (1 - static_cast<double>(number) / static_cast<double>(metadata_.columns));
     const Eigen::Matrix3d rotation =
@@ -145,7 +146,7 @@ class OusterScans : public PacketScans {
   std::size_t column_bytes_, packet_bytes_;
   std::vector<Eigen::Vector3d> rays_;          // of the rows, in the frame of a column
   std::optional<std::uint64_t> frame_, last_;  // number of this scan, and of the one before
-  std::uint64_t first_ = 0;                    // time of its first column [ns]
+  std::optional<std::uint64_t> first_;         // time of its first measured column [ns]
   PacketScan scan_;
 };
 

@@ -111,12 +111,12 @@ class VelodyneScans : public PacketScans {
     return static_cast<double>(CObservationVelodyneScan::ROTATION_RESOLUTION) *
            packet.blocks[0].rotation();
   }
-  /// By the sensor's clock, which counts the time of the hour.
+  /// By the sensor's clock, which counts the time of the hour; it may be set back a little.
   static double seconds_between(const Packet& a, const Packet& b) {
     constexpr double kHour = 3600;
     const double seconds =
         1e-6 * (static_cast<double>(b.gps_timestamp()) - static_cast<double>(a.gps_timestamp()));
-    return seconds < 0 ? seconds + kHour : seconds;
+    return seconds < -kHour / 2 ? seconds + kHour : seconds;
   }
 
   static constexpr double kTurn = 360;  // [deg]
