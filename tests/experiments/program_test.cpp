@@ -94,7 +94,8 @@ TEST_F(Program, CompletesWhatIsTyped) {
   EXPECT_EQ(ldm("complete run circ").out,
             "circular_buffer\ncircular_buffer_low_clamp\ncircular_buffer_pf\n"
             "circular_buffer_pf_eq17\ncircular_buffer_pf_free\n");
-  EXPECT_EQ(ldm("complete run ldm scenario").out, "scenario1\nscenario2\nscenario3\n");
+  EXPECT_EQ(ldm("complete run ldm scenario").out,
+            "scenario1\nscenario1_fast\nscenario2\nscenario3\nscenario3_fast\n");
   EXPECT_EQ(ldm("complete run octomap scenario1 --set map.").out,
             "map.resolution_m=\nmap.voxels=\n");
   EXPECT_EQ(ldm("complete run octomap scenario1 --set particles.").out, "");
@@ -103,7 +104,7 @@ TEST_F(Program, CompletesWhatIsTyped) {
   EXPECT_EQ(ldm("complete simulate scenario1 --set map").out, "");
   EXPECT_EQ(ldm("complete view ldm --paus").out, "--paused\n");
   EXPECT_EQ(ldm("complete run ldm scenario1 -c r").out, "road\n");
-  EXPECT_EQ(ldm("complete run ldm scenario1 --format kit").out, "kitti\n");
+  EXPECT_EQ(ldm("complete run ldm scenario1 --format kit").out, "kitti\nkitti-raw\n");
   EXPECT_EQ(ldm("complete trial " + write_study() + " scenario1.current_scan.s00").out,
             "scenario1.current_scan.s001\nscenario1.current_scan.s002\n"
             "scenario1.current_scan.s003\n");
@@ -120,7 +121,7 @@ TEST_F(Program, BashCompletes) {
   };
   EXPECT_EQ(complete("ldm sim"), "simulate\n");
   EXPECT_EQ(complete("ldm run "), ldm("complete run \"\"").out);
-  EXPECT_EQ(complete("ldm run ldm scenario1 --format kit"), "kitti\n");
+  EXPECT_EQ(complete("ldm run ldm scenario1 --format kit"), "kitti\nkitti-raw\n");
   EXPECT_EQ(complete("ldm run ldm scenario1 --set map.v"), "map.voxels=\n");
 }
 

@@ -89,7 +89,7 @@ TEST(LocalDynamicMapTest, MovingBoxGetsItsVelocity) {
   // Behind an obstacle unseen occupancy survives: clusters drift away from the sensor.
   EXPECT_LT((seen.velocity - Eigen::Vector3d(0, 0.5, 0)).norm(), 0.2) << seen.velocity.transpose();
   EXPECT_LT(seen.distance, 0.4);
-  EXPECT_EQ(seen.dynamic, 20);
+  EXPECT_GE(seen.dynamic, 17);  // of 20, from 2 s after it came into view
 }
 
 TEST(LocalDynamicMapTest, ScansWithoutAnyPointLeaveAllUnknown) {

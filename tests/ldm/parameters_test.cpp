@@ -51,7 +51,7 @@ TEST(ParametersTest, DefaultsAreThePapers) {
       {"sensor_model.p_occ", "0.7"},        {"sensor_model.p_free", "0.4"},
       {"sensor_model.log_odds_min", "-2"},  {"sensor_model.log_odds_max", "3.5"},
       {"survival.enabled", "true"},         {"clusters.readjust", "true"},
-      {"prediction.sub_voxel", "residual"}, {"prediction.min_speed_mps", "0"},
+      {"prediction.sub_voxel", "residual"}, {"prediction.min_speed_mps", "0.1"},
   };
   for (const auto& [name, value] : paper) EXPECT_EQ(get_parameter({}, name), value) << name;
   EXPECT_NO_THROW(checked(Parameters{}));

@@ -19,6 +19,7 @@ ParticleFilter filter_of(const Eigen::Vector3i& voxels, std::int64_t count, bool
                          std::uint64_t seed = 1) {
   ParticleParameters parameters = particle_parameters(count, 0.8);
   parameters.birth = birth;
+  parameters.min_per_voxel = 20;
   return {map_of(voxels), parameters, seed};
 }
 

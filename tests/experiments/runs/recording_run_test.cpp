@@ -244,8 +244,9 @@ TEST_F(RecordingRun, InfoTellsWhatIsInARecording) {
 }
 
 TEST_F(RecordingRun, BadInputsNameWhatIsAllowed) {
-  expect_bad("run ldm drive --format las -o o",
-             "--format las: allowed: ldm-rawlog, mrpt-rawlog, kitti, pcd, bag");
+  expect_bad(
+      "run ldm drive --format las -o o",
+      "--format las: allowed: ldm-rawlog, mrpt-rawlog, kitti, kitti-raw, bin, pcd, bag, pcap");
   expect_bad("run ldm drive --format pcd -o o", "drive: has no scans (*.pcd)");
   expect_bad("run ldm no/drive -o o", "no/drive: cannot be read: no such file");
   expect_bad("run ldm drive -o o --set input.ground.removal=flat", "allowed: none, plane, grid");

@@ -15,6 +15,9 @@ using reference::scan_at;
 Parameters small_parameters() {
   Parameters parameters;
   parameters.particles.count = 20000;
+  parameters.particles.min_per_voxel = 20;
+  parameters.particles.sigma_xy = 0.8;  // follows within a few frames
+  parameters.prediction.min_speed = 0;
   return parameters;
 }
 

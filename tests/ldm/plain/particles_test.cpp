@@ -11,6 +11,7 @@ Parameters small_parameters() {
   Parameters parameters;
   parameters.map.voxels = kWindow.size;
   parameters.particles.count = 5000;
+  parameters.particles.min_per_voxel = 20;
   return parameters;
 }
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// @param several names them, if nothing tells which
 std::optional<fs::path> metadata_beside(const fs::path& file, std::string& several) {
   const fs::path own = fs::path(file).replace_extension(".json");
-  if (fs::exists(own) && is_ouster_metadata(own)) return own;
+  if (fs::exists(own)) return own;
   std::vector<std::string> found;
   std::error_code error;
   for (const fs::directory_entry& entry :
