@@ -28,7 +28,7 @@ def finish_study(folder: Path, name: str, records: list[dict]) -> subprocess.Com
 
 def test_a_sweep_ends_in_one_figure_and_one_table(tmp_path):
     records = [make_record(method, seed, point={"particles.count": count})
-               for method in ("ldm", "circular_buffer_pf") for seed in (1, 2) for count in (1000, 2000)]
+               for method in ("ldm", "circular_buffer_pf_eq17") for seed in (1, 2) for count in (1000, 2000)]
     done = finish_study(tmp_path, "sweep", records)
     assert done.returncode == 0, done.stderr
     made = tmp_path / "results" / "sweep"
@@ -42,7 +42,7 @@ def test_the_velocity_studies_end_in_figures_6_to_9(tmp_path, name):
     records = [
         make_record(method, seed, scenario=scenario,
                     series=[make_series(seed, scenario == "scenario1", list(range(50)))])
-        for method in ("ldm", "circular_buffer_pf") for seed in (1, 2)
+        for method in ("ldm", "circular_buffer_pf_eq17") for seed in (1, 2)
         for scenario in ("scenario1", "scenario2")]
     done = finish_study(tmp_path, name, records)
     assert done.returncode == 0, done.stderr
