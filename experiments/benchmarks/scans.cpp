@@ -9,7 +9,7 @@ namespace benchmarks {
 
 datasets::Scenario flight_scenario(const Pattern& pattern) {
   const experiments::DataFolders folders({});
-  datasets::Scenario scenario = datasets::read_scenario(folders.scenarios.file("scenario3"));
+  datasets::Scenario scenario = datasets::read_scenario(folders.scenarios.file("scenario3_fast"));
   for (const auto& [group, count] : {std::pair{"boxes", 4},
                                      {"cylinders", 4},
                                      {"standing_persons", 3},

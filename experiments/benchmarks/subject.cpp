@@ -53,6 +53,7 @@ std::unique_ptr<ldm::Mapper> make_mapper(const Configuration& c) {
   ldm::Parameters parameters = experiments::default_parameters(method);
   parameters.map.voxels.setConstant(c.edge);
   if (c.particles > 0) parameters.particles.count = c.particles;
+  parameters.particles.min_per_voxel = 20;  // whatever the default: times stay comparable
   parameters.execution.threads = c.threads;
   return is_library ? ldm::create<baselines::LibOctomap>(parameters) : method.create(parameters);
 }
