@@ -18,7 +18,8 @@ class Panorama {
   /// Horizontal distance of the nearest return in a direction [m]; infinite if there is none.
   float nearest(const Eigen::Vector2d& direction) const { return nearest_[bin(direction)]; }
 
-  /// True if the sensor saw past p (world [m]): nothing stood there. Cost: constant.
+  /// True if the sensor saw past p (world [m]), or nothing returned at all in that direction.
+  /// Cost: constant.
   bool seen_past(const Eigen::Vector2d& p) const;
 
   /// Say which slices of a view from the same sensor end where the object does: at the ends of the

@@ -82,6 +82,17 @@ TEST(TruthScore, CountsChangesOfIdentity) {
   EXPECT_EQ(result.matched(), 4);
 }
 
+TEST(TruthScore, ATrackOfNobodyIsNoTrack) {
+  const RunFrames run = {{0, {0.0, kMap, {cluster(5, 0)}}},
+                         {1, {0.1, kMap, {cluster(0, 0)}}},
+                         {2, {0.2, kMap, {cluster(5, 0)}}}};
+  const TruthFrame truth{{}, {object(10, 0)}};
+  const ObjectScore found =
+      score(run, {{0, truth}, {1, truth}, {2, truth}}, 0.5).objects.at(10).score;
+  EXPECT_EQ(found.switches, 0);
+  EXPECT_EQ(found.tracks, 1);
+}
+
 TEST(TruthScore, AnObjectThatComesBackIntoTheMapIsNoSwitch) {
   const RunFrames run = {{0, {0.0, kMap, {cluster(1, 4.9)}}},
                          {1, {0.1, kMap, {}}},

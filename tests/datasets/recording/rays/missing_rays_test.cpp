@@ -114,6 +114,16 @@ TEST(MissingRays, OfNoPatternAreNone) {
   EXPECT_TRUE(rays.empty());
 }
 
+TEST(MissingRays, OfAnEmptyScanAreNone) {
+  const Sensor sensor;
+  MissingRays missing;
+  found(missing, sensor.scan([](int, int) { return 10; }));
+  std::vector<ldm::Point> rays;
+  EXPECT_FALSE(missing.find({}, rays));
+  EXPECT_FALSE(missing.find(std::vector<ldm::Point>(500, ldm::Point::Zero()), rays));
+  EXPECT_TRUE(rays.empty());
+}
+
 TEST(MissingRays, OfAScanInMotionAreNone) {
   const Sensor sensor;
   const auto range_of = [](int, int degree) { return degree > 90 ? kNothing : 5; };
