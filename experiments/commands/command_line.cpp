@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <type_traits>
 
 #include "datasets/files/text.h"
 #include "experiments/method/plugins.h"
@@ -84,9 +85,21 @@ CommandOption CommandOption::within(int least, int most) {
   return *this;
 }
 
+CommandOption CommandOption::unsigned_number() {
+  option_->check([](const std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    return datasets::parse_number(text, value) ? "" : text + ": allowed: a whole number from 0 on";
+  });
+  return *this;
+}
+
 template <class Value>
 CommandOption Command::option(const std::string& names, Value& value, const std::string& help) {
-  return CommandOption(app_->add_option(names, value, help));
+  CommandOption added(app_->add_option(names, value, help));
+  // CLI11 would take -1 for the largest number.
+  constexpr bool kUnsigned =
+      std::is_same_v<Value, std::uint64_t> || std::is_same_v<Value, std::optional<std::uint64_t>>;
+  return kUnsigned ? added.unsigned_number() : added;
 }
 template CommandOption Command::option(const std::string&, std::string&, const std::string&);
 template CommandOption Command::option(const std::string&, std::optional<std::string>&,

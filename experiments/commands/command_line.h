@@ -32,6 +32,7 @@ class CommandOption {
   CommandOption at_least_zero();
   CommandOption positive();
   CommandOption within(int least, int most);
+  CommandOption unsigned_number();  ///< what every option bound to one is
 
  private:
   CLI::Option* option_;

@@ -36,6 +36,10 @@ TEST_F(Program, RefusesABadCommandLine) {
   expect_bad("swim", "unknown subcommand swim: allowed: methods, scenarios");
   expect_bad("--seed 3", "subcommand");
   expect_bad("run ldm scenario1", "--output");
+  for (const char* command : {"run ldm scenario1", "simulate scenario1", "fly ldm moving10_10"}) {
+    expect_bad(command + std::string(" --seed -1 -o o"),
+               "--seed: -1: allowed: a whole number from 0 on");
+  }
   expect_bad("trials table1 --seeds 0", "--seeds");
   expect_bad("trials table1 --seeds many", "many");
   expect_bad("methods --colour", "--colour");
