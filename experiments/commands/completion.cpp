@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "datasets/recording/recording.h"
+#include "experiments/avoidance/flight_settings.h"
 #include "experiments/commands/listings.h"
 #include "experiments/method/methods.h"
 #include "experiments/method/parameter_list.h"
@@ -25,6 +26,13 @@ void append(const Words& more, Words& words) {
 Words method_names() {
   Words names;
   for (const Method& method : methods()) names.emplace_back(method.name);
+  return names;
+}
+
+Words arm_names() {
+  Words names;
+  for (const Control& control : controls()) names.emplace_back(control.name);
+  append(method_names(), names);
   return names;
 }
 
@@ -57,8 +65,23 @@ Typed read(const CommandWords& program, const std::vector<CommandWords>& command
   return typed;
 }
 
+/// NAME= of what may be set of a flight: its own, and what the arm's map reads.
+Words flight_values(const Typed& typed, const DataFolders& folders) {
+  const bool has_arm = !typed.values.empty() && holds(arm_names(), typed.values.front());
+  FlightSettings settings = flight_settings(has_arm ? typed.values.front() : "ldm");
+  Words names;
+  visit_flight_settings(settings, [&](std::string_view name, double, double, double) {
+    names.push_back(std::string(name) + '=');
+  });
+  for (const ListedParameter& p : listed_parameters(std::nullopt, folders)) {
+    if (uses(settings, p.name)) names.push_back(p.name + '=');
+  }
+  return names;
+}
+
 /// NAME= of what may be set.
 Words settings(const Typed& typed, const DataFolders& folders) {
+  if (typed.command->name == "fly") return flight_values(typed, folders);
   Words names;
   const Words known = method_names();
   const bool has_method = !typed.values.empty() && holds(known, typed.values.front());
@@ -102,6 +125,8 @@ Words values_of_positional(const Typed& typed, const DataFolders& folders) {
   if (place >= typed.command->positionals.size()) return {};
   const std::string& name = typed.command->positionals[place];
   if (name == "METHOD") return method_names();
+  if (name == "ARM") return arm_names();
+  if (name == "WORLD") return folders.corridors.names();
   if (name == "INPUT" || name == "SCENARIO") return folders.scenarios.names();
   if (name == "STUDY") return folders.studies.names();
   if (name == "ID") return trial_ids(typed.values.front(), folders);

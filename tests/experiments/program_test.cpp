@@ -115,6 +115,20 @@ TEST_F(Program, CompletesWhatIsTyped) {
   EXPECT_EQ(ldm("complete nothing ").code, 0);
 }
 
+TEST_F(Program, CompletesFlights) {
+  EXPECT_EQ(ldm("complete fly o").out, "oracle\noracle_future\nobject_ldm\noctomap\n");
+  EXPECT_EQ(ldm("complete fly ldm reversing").out, "reversing_01\nreversing_03\n");
+  EXPECT_EQ(ldm("complete fly ldm scenario").out, "") << "those are no worlds to fly through";
+  EXPECT_EQ(ldm("complete fly ldm still8 --set trust.").out,
+            "trust.margin_m=\ntrust.doubt=\ntrust.moving_from_mps=\n");
+  EXPECT_EQ(ldm("complete fly ldm still8 --set particles.c").out, "particles.count=\n");
+  EXPECT_EQ(ldm("complete fly octomap still8 --set particles.").out, "");
+  EXPECT_EQ(ldm("complete fly oracle still8 --set map.").out, "map.resolution_m=\nmap.voxels=\n");
+  EXPECT_EQ(ldm("complete fly oracle still8 --set scenario.").out, "");
+  EXPECT_EQ(ldm("complete fly nobody still8 --set flight.d").out, "flight.delay_s=\n");
+  EXPECT_EQ(ldm("complete fly ldm still8 --vid").out, "--video\n");
+}
+
 TEST_F(Program, BashCompletes) {
   const std::string script = (tests::source_folder() / "experiments/shell/ldm.bash").string();
   const auto complete = [&](const std::string& line) {
