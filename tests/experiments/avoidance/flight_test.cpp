@@ -94,12 +94,24 @@ TEST(Flight, TimesOutWhereThereIsNoWayThrough) {
   EXPECT_EQ(flight.outcome, Outcome::kTimeOut);
 }
 
+/// At every instant: first and second differences of its control points bound velocity and
+/// acceleration of a cubic B-spline.
 TEST(Flight, NeverBreaksItsLimits) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const Flight flight = fly_as("circular_buffer", task_in(world("moving20_15"), seed));
-    for (const FlightSample& sample : flight.samples) {
-      EXPECT_LE(sample.velocity.norm(), 2 + 1e-9);
-      EXPECT_LE(sample.acceleration.norm(), 4 + 1e-9);
+  constexpr double kKnot = 0.2;
+  for (const char* arm : {"circular_buffer", "object_ldm", "oracle"}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Flight flight = fly_as(arm, task_in(world("moving20_15"), seed));
+      const ControlPoints& p = flight.points;
+      for (std::size_t i = 1; i < p.size(); ++i) {
+        EXPECT_LE((p[i] - p[i - 1]).norm(), 2 * kKnot + 1e-9);
+      }
+      for (std::size_t i = 2; i < p.size(); ++i) {
+        EXPECT_LE((p[i] - 2 * p[i - 1] + p[i - 2]).norm(), 4 * kKnot * kKnot + 1e-9);
+      }
+      for (const FlightSample& sample : flight.samples) {
+        EXPECT_LE(sample.velocity.norm(), 2 + 1e-9);
+        EXPECT_LE(sample.acceleration.norm(), 4 + 1e-9);
+      }
     }
   }
 }
