@@ -53,8 +53,7 @@ def draw_flight(axes: Axes, flight: pd.DataFrame, obstacles: pd.DataFrame, summa
     """The path, and the obstacles at its end."""
     end = flight.iloc[-1]
     now = obstacles[obstacles["time_s"] == obstacles["time_s"].max()]
-    hit = now.assign(away=(now["x_m"] - end["x_m"]).abs() + (now["y_m"] - end["y_m"]).abs())
-    struck = hit.loc[hit["away"].idxmin(), "id"] if summary["outcome"].startswith("hit") else None
+    struck = summary["hit_obstacle"]
     for obstacle in now.itertuples():
         colour = VERMILLION if obstacle.id == struck else GREY
         if obstacle.dynamic:

@@ -60,6 +60,7 @@ std::string to_json(const FlightRecord& record, const Provenance& provenance) {
       provenance_json(provenance, arm.method != nullptr ? plugin_of(*arm.method) : std::nullopt);
   if (record.error) return dump(json);
   json["outcome"] = kOutcomeNames[static_cast<std::size_t>(record.flight.outcome)];
+  json["hit_obstacle"] = record.flight.hit ? Json(*record.flight.hit) : Json(nullptr);
   Json scores = Json::object();
   for (const auto& [name, value] : record.scores) {
     scores[std::string(name)] = value ? Json(*value) : Json(nullptr);

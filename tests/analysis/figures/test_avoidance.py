@@ -104,9 +104,10 @@ def write_flight(folder, arm, outcome):
     folder.mkdir(parents=True)
     (folder / "flight.csv").write_text("time_s,x_m,y_m\n0,-10,0\n4,1,0.5\n")
     (folder / "obstacles.csv").write_text(
-        "time_s,id,dynamic,x_m,y_m,size_x_m,size_y_m\n3.8,0,0,5,-1,0.5,0.5\n3.8,1,1,1.4,0.6,0.4,0.4\n")
+        "time_s,id,dynamic,x_m,y_m,size_x_m,size_y_m\n3.8,0,0,0.4,0.5,0.5,0.5\n3.8,1,1,1.4,0.6,0.4,0.4\n")
     (folder / "summary.json").write_text(json.dumps(
-        {"outcome": outcome, "method": arm, "scenario": "moving10_10", "seeds": {"scenario": "1"}}))  # fmt: skip
+        {"outcome": outcome, "hit_obstacle": 1 if outcome.startswith("hit") else None, "method": arm,
+         "scenario": "moving10_10", "seeds": {"scenario": "1"}}))  # fmt: skip
 
 
 def test_one_world_flown_by_all_is_drawn(tmp_path, capsys):

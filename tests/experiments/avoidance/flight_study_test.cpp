@@ -105,6 +105,7 @@ TEST_F(FlightStudyTest, RecordsTheSameFlightTwiceButForTheTimes) {
   EXPECT_NE(first.find("\"status\": \"ok\""), std::string::npos);
   EXPECT_NE(first.find("\"outcome\": \"time_out\""), std::string::npos)
       << "3 s are too short for 20 m";
+  EXPECT_NE(first.find("\"hit_obstacle\": null"), std::string::npos);
   EXPECT_NE(first.find("\"trust.margin_m\":"), std::string::npos);
 }
 
@@ -144,6 +145,15 @@ TEST_F(FlightStudyTest, TellsProgramsWhatItIsMadeOf) {
   const Result listed = ldm("trials tiny.toml --json");
   EXPECT_NE(listed.out.find("\"datasets/corridors/still8.toml\""), std::string::npos) << listed.out;
   EXPECT_NE(listed.out.find("{\"blind\":\"empty_map\",\"circular_buffer\":\"circular_buffer\"}"),
+            std::string::npos);
+}
+
+/// The last word of what is printed is the obstacle's number.
+TEST_F(FlightStudyTest, RecordsWhatWasHit) {
+  const std::string told = ldm("fly blind still8 --seed 2 -o flown").out;
+  ASSERT_TRUE(told.starts_with("hit_static after ")) << told;
+  const std::string id = told.substr(told.rfind(' ') + 1, told.rfind('\n') - told.rfind(' ') - 1);
+  EXPECT_NE(folder_.read("flown/summary.json").find("\"hit_obstacle\": " + id + ","),
             std::string::npos);
 }
 
