@@ -5,7 +5,7 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
-#include <deque>
+#include <exception>
 
 #include "datasets/files/gz_archive.h"
 #include "datasets/files/text.h"
@@ -14,14 +14,13 @@
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/sensor_mount.h"
 #include "datasets/recording/scans/trajectory.h"
+#include "datasets/recording/scans/waiting_scan_reader.h"
 
 namespace datasets {
 namespace {
 
 namespace fs = std::filesystem;
 using mrpt::obs::CObservation;
-
-constexpr std::size_t kMostWaiting = 64;
 
 ldm::Pose pose_of(const mrpt::poses::CPose3D& p) {
   return {p.getRotationMatrix().asEigen(), {p.x(), p.y(), p.z()}};
@@ -33,31 +32,18 @@ std::string kind_of(const CObservation& observation) {
          "`";
 }
 
-class MrptLogReader : public ScanReader {
+/// A scan whose pose may not have been read yet.
+struct WaitingObservation {
+  std::string place;
+  double time = 0;  ///< [s]
+  CObservation::Ptr observation;
+};
+
+class MrptLogReader : public WaitingScanReader<WaitingObservation> {
  public:
   MrptLogReader(const fs::path& rawlog, const InputParameters& parameters)
       : name_(rawlog.string()), archive_(rawlog), parameters_(parameters) {}
 
-  bool next(Frame& frame) override {
-    while (!may_take_one()) read_object();
-    if (waiting_.empty()) {
-      if (damaged_) {
-        damaged_ = false;
-        throw BrokenFrame("broken log", place(objects_) + ": " + archive_.failure());
-      }
-      if (frames_ == 0) reject_empty();
-      return false;
-    }
-    const Waiting scan = waiting_.front();
-    waiting_.pop_front();
-    place_ = place(scan.object);
-    frame.index = frames_++;
-    frame.truth.reset();
-    take(scan, frame.scan);
-    return true;
-  }
-  std::optional<std::int64_t> size() const override { return {}; }
-  std::string place() const override { return place_; }
   InputCounts counts() const override {
     InputCounts counts;
     if (others_ > 0) counts.other["other observations in the log"] = others_;
@@ -66,30 +52,22 @@ class MrptLogReader : public ScanReader {
   }
 
  private:
-  /// A scan whose pose may not have been read yet.
-  struct Waiting {
-    std::int64_t object = 0;  ///< its number in the log
-    double time = 0;
-    CObservation::Ptr observation;
-  };
-
-  bool may_take_one() const {
-    if (ended_) return true;
-    if (waiting_.empty()) return false;
-    return parameters_.poses == PoseSource::kStill || track_.covers(waiting_.front().time) ||
-           waiting_.size() >= kMostWaiting;
+  bool covers(const WaitingObservation& waiting) const override {
+    return parameters_.poses == PoseSource::kStill || track_.covers(waiting.time);
   }
 
-  void read_object() {
-    const GzArchive::Place state = archive_.place();
-    ended_ = state != GzArchive::Place::kMore;
-    damaged_ = state == GzArchive::Place::kBadEnd;
-    if (ended_) return;
-    const mrpt::serialization::CSerializable::Ptr object = archive_.read_object();
-    if (!object) {
-      ended_ = damaged_ = true;
-      return;
+  void read_on() override {
+    switch (archive_.place()) {
+      case GzArchive::Place::kMore:
+        break;
+      case GzArchive::Place::kBadEnd:
+        return end_damaged();
+      case GzArchive::Place::kGoodEnd:
+        if (scan_kind_.empty()) reject_empty();
+        return end();
     }
+    const mrpt::serialization::CSerializable::Ptr object = archive_.read_object();
+    if (!object) return end_damaged();
     if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object)) {
       for (const CObservation::Ptr& observation : *frame) take(observation);
     } else {
@@ -108,7 +86,7 @@ class MrptLogReader : public ScanReader {
 
   bool take_scan(const CObservation::Ptr& observation) {
     if (!is_scan(*observation) || !is_of(scan_kind_, *observation)) return false;
-    waiting_.push_back({objects_, mrpt::Clock::toDouble(observation->timestamp), observation});
+    wait({place_now(), mrpt::Clock::toDouble(observation->timestamp), observation});
     return true;
   }
 
@@ -137,14 +115,14 @@ class MrptLogReader : public ScanReader {
     return {};
   }
 
-  void take(const Waiting& waiting, ldm::Scan& scan) {
+  void take(WaitingObservation& waiting, ldm::Scan& scan) override {
     scan.time = waiting.time;
     const ldm::Pose T_world_uav = vehicle_at(waiting.time);
-    const ldm::Pose mount = mount_of(parameters_.sensor, mount_in(*waiting.observation), place_);
+    const ldm::Pose mount = mount_of(parameters_.sensor, mount_in(*waiting.observation), place());
     set_poses(T_world_uav, PosesOf::kVehicle, mount, scan);
     const std::string failure =
         datasets::take_scan(*waiting.observation, parameters_.rotating, scan);
-    if (!failure.empty()) throw BrokenFrame("broken scan", place_ + ": " + failure);
+    if (!failure.empty()) throw BrokenFrame("broken scan", place() + ": " + failure);
   }
 
   ldm::Pose vehicle_at(double time) {
@@ -152,10 +130,10 @@ class MrptLogReader : public ScanReader {
     if (const auto pose = track_.at(time, parameters_.pose_gap)) return *pose;
     const std::string sought =
         parameters_.poses == PoseSource::kLog ? "CObservationRobotPose" : "CObservationOdometry";
-    std::string message = place_ + ": no pose at " + decimal(time) + " s: ";
+    std::string message = place() + ": no pose at " + decimal(time) + " s: ";
     if (track_.empty()) {
       message += "the log has no " + sought +
-                 (ended_ ? "" : " up to object " + std::to_string(objects_)) +
+                 (ended() ? "" : " up to object " + std::to_string(objects_)) +
                  ": allowed: --set input.poses=still for a sensor at rest, or " +
                  (parameters_.poses == PoseSource::kLog ? "odometry" : "log");
     } else {
@@ -171,20 +149,20 @@ class MrptLogReader : public ScanReader {
                             "CObservationPointCloud or CObservationRotatingScan");
   }
 
-  std::string place(std::int64_t object) const {
-    return name_ + ": object " + std::to_string(object);
+  void end_damaged() {
+    const BrokenFrame damage("broken log", place_now() + ": " + archive_.failure());
+    end(std::make_exception_ptr(damage));
   }
+
+  std::string place_now() const { return name_ + ": object " + std::to_string(objects_); }
 
   std::string name_;
   GzArchive archive_;
   InputParameters parameters_;
   std::int64_t objects_ = 0;  // read so far
-  std::int64_t frames_ = 0;
   std::int64_t others_ = 0;
   InputCounts::ByReason other_sensors_;
-  bool ended_ = false, damaged_ = false;
-  std::string scan_kind_, pose_kind_, place_;
-  std::deque<Waiting> waiting_;
+  std::string scan_kind_, pose_kind_;
   PoseTrack track_;
 };
 

@@ -1,7 +1,5 @@
 #include "datasets/recording/formats/pcap/pcap_reader.h"
 
-#include <algorithm>
-#include <deque>
 #include <exception>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include "datasets/recording/scans/scan_names.h"
 #include "datasets/recording/scans/scan_trajectory.h"
 #include "datasets/recording/scans/sensor_mount.h"
+#include "datasets/recording/scans/waiting_scan_reader.h"
 
 namespace datasets {
 namespace {
@@ -48,7 +47,14 @@ class PcapScans {
   InputCounts::ByReason others_;
 };
 
-class PcapReader : public ScanReader {
+/// A scan whose poses may not have been read yet.
+struct WaitingTurn {
+  PacketScan scan;
+  std::string place, failure;
+  double end = 0;  ///< when its last point was measured [s]
+};
+
+class PcapReader : public WaitingScanReader<WaitingTurn> {
  public:
   PcapReader(const fs::path& file, const RecordingOptions& options)
       : scans_(file),
@@ -59,22 +65,6 @@ class PcapReader : public ScanReader {
     if (options.poses) trajectory_.emplace(options);
   }
 
-  bool next(Frame& frame) override {
-    while (!may_take_one()) read_scan();
-    if (waiting_.empty()) {
-      if (damage_) std::rethrow_exception(std::exchange(damage_, nullptr));
-      return false;
-    }
-    Waiting waiting = std::move(waiting_.front());
-    waiting_.pop_front();
-    place_ = waiting.place;
-    frame.index = frames_++;
-    frame.truth.reset();
-    take(waiting, frame.scan);
-    return true;
-  }
-  std::optional<std::int64_t> size() const override { return {}; }
-  std::string place() const override { return place_; }
   InputCounts counts() const override {
     InputCounts counts;
     counts.other_sensors = scans_.others();
@@ -82,47 +72,29 @@ class PcapReader : public ScanReader {
   }
 
  private:
-  /// A scan whose poses may not have been read yet.
-  struct Waiting {
-    PacketScan scan;
-    std::string place, failure;
-    double end = 0;  ///< when its last point was measured [s]
-  };
-
-  bool may_take_one() const {
-    constexpr std::size_t kMostWaiting = 64;
-    if (ended_) return true;
-    if (waiting_.empty()) return false;
-    return !trajectory_ || waiting_.size() >= kMostWaiting ||
-           trajectory_->covers(waiting_.front().end);
+  bool covers(const WaitingTurn& waiting) const override {
+    return !trajectory_ || trajectory_->covers(waiting.end);
   }
 
-  void read_scan() {
-    Waiting waiting;
+  void read_on() override {
+    WaitingTurn waiting;
     try {
-      ended_ = !scans_.next(waiting.scan);
+      if (!scans_.next(waiting.scan)) return end();
     } catch (const BrokenFrame&) {
-      ended_ = true;
-      damage_ = std::current_exception();
+      return end(std::current_exception());
     }
-    if (ended_) return;
     waiting.place = scans_.place();
-    const auto& delays = waiting.scan.delays;
-    waiting.end = waiting.scan.time;
+    waiting.end = end_of(waiting.scan.time, waiting.scan.delays);
     if (!deskew_) waiting.scan.delays.clear();
-    if (!delays.empty()) {
-      waiting.end +=
-          std::max(0.0, static_cast<double>(*std::max_element(delays.begin(), delays.end())));
-    }
     try {
       if (trajectory_) trajectory_->take_scan(waiting.scan.time);
     } catch (const BrokenFrame& error) {
       waiting.failure = error.what();
     }
-    waiting_.push_back(std::move(waiting));
+    wait(std::move(waiting));
   }
 
-  void take(Waiting& waiting, ldm::Scan& scan) {
+  void take(WaitingTurn& waiting, ldm::Scan& scan) override {
     if (!waiting.failure.empty()) throw BrokenFrame("bad pose", waiting.failure);
     const double time = waiting.scan.time;
     scan.time = time;
@@ -143,7 +115,7 @@ class PcapReader : public ScanReader {
     if (trajectory_) pose = trajectory_->at(time, longest_gap_);
     if (!pose) {
       throw BrokenFrame("no pose",
-                        place_ + ": no pose at " + decimal(time) + " s: the file of --poses has " +
+                        place() + ": no pose at " + decimal(time) + " s: the file of --poses has " +
                             trajectory_->around(time) +
                             ": allowed: a gap of input.pose_gap_s = " + decimal(longest_gap_));
     }
@@ -157,11 +129,6 @@ class PcapReader : public ScanReader {
   bool deskew_;
   double longest_gap_;  // [s]
   ldm::Pose T_uav_sensor_;
-  bool ended_ = false;
-  std::exception_ptr damage_;
-  std::int64_t frames_ = 0;
-  std::string place_;
-  std::deque<Waiting> waiting_;
 };
 
 std::int64_t count_scans(const fs::path& file) {

@@ -1,7 +1,5 @@
 #include "datasets/recording/formats/ros/bag_reader.h"
 
-#include <algorithm>
-#include <deque>
 #include <exception>
 #include <utility>
 
@@ -13,11 +11,10 @@
 #include "datasets/recording/scans/given_trajectory.h"
 #include "datasets/recording/scans/scan_trajectory.h"
 #include "datasets/recording/scans/sensor_mount.h"
+#include "datasets/recording/scans/waiting_scan_reader.h"
 
 namespace datasets {
 namespace {
-
-constexpr std::size_t kMostWaiting = 64;
 
 /// Where vehicle and sensor were, by the source that the plan names.
 class BagTrajectory {
@@ -88,7 +85,14 @@ class BagTrajectory {
   std::vector<StampedTransform> transforms_;
 };
 
-class BagReader : public ScanReader {
+/// A scan whose poses may not have been read yet.
+struct WaitingCloud {
+  CloudMessage cloud;
+  std::string place, failure;
+  double end = 0;  ///< when its last point was measured [s]
+};
+
+class BagReader : public WaitingScanReader<WaitingCloud> {
  public:
   BagReader(const std::filesystem::path& path, const RecordingOptions& options)
       : plan_(plan_of(path, options)),
@@ -98,47 +102,20 @@ class BagReader : public ScanReader {
         gap_(options.input.pose_gap),
         tell_others_(!options.points) {}
 
-  bool next(Frame& frame) override {
-    while (!may_take_one()) read_message();
-    if (waiting_.empty()) {
-      if (damage_) std::rethrow_exception(std::exchange(damage_, nullptr));
-      return false;
-    }
-    Waiting scan = std::move(waiting_.front());
-    waiting_.pop_front();
-    place_ = scan.place;
-    frame.index = frames_++;
-    frame.truth.reset();
-    take(scan, frame.scan);
-    return true;
-  }
-  std::optional<std::int64_t> size() const override { return {}; }
-  std::string place() const override { return place_; }
   InputCounts counts() const override { return counts_; }
 
  private:
-  /// A scan whose poses may not have been read yet.
-  struct Waiting {
-    CloudMessage cloud;
-    std::string place, failure;
-    double end = 0;  ///< when its last point was measured [s]
-  };
-
-  bool may_take_one() const {
-    if (ended_) return true;
-    if (waiting_.empty()) return false;
-    return waiting_.size() >= kMostWaiting || trajectory_.covers(waiting_.front().end);
+  bool covers(const WaitingCloud& waiting) const override {
+    return trajectory_.covers(waiting.end);
   }
 
-  void read_message() {
+  void read_on() override {
     BagMessage message;
     try {
-      ended_ = !bag_->next(message);
+      if (!bag_->next(message)) return end();
     } catch (const BrokenFrame&) {
-      ended_ = true;
-      damage_ = std::current_exception();
+      return end(std::current_exception());
     }
-    if (ended_) return;
     const BagTopic& topic = bag_->topics()[message.topic];
     if (topic.name == plan_.points) {
       take_scan(topic, message.bytes);
@@ -150,7 +127,7 @@ class BagReader : public ScanReader {
   }
 
   void take_scan(const BagTopic& topic, std::string_view bytes) {
-    Waiting scan;
+    WaitingCloud scan;
     scan.place = bag_->place();
     try {
       scan.failure = read_cloud(topic, bytes, deskew_, scan.cloud);
@@ -160,13 +137,8 @@ class BagReader : public ScanReader {
     } catch (const BrokenFrame& error) {
       scan.failure = error.what();
     }
-    scan.end = scan.cloud.header.stamp;
-    const auto& delays = scan.cloud.delays;
-    if (!delays.empty()) {
-      scan.end +=
-          std::max(0.0, static_cast<double>(*std::max_element(delays.begin(), delays.end())));
-    }
-    waiting_.push_back(std::move(scan));
+    scan.end = end_of(scan.cloud.header.stamp, scan.cloud.delays);
+    wait(std::move(scan));
   }
 
   void take_pose(const BagTopic& topic, std::string_view bytes) {
@@ -179,13 +151,13 @@ class BagReader : public ScanReader {
     if (!failure.empty()) ++counts_.other["broken messages with poses"];
   }
 
-  void take(Waiting& waiting, ldm::Scan& scan) {
+  void take(WaitingCloud& waiting, ldm::Scan& scan) override {
     const double time = waiting.cloud.header.stamp;
     if (!waiting.failure.empty()) {
-      throw BrokenFrame("broken scan", place_ + ": " + waiting.failure);
+      throw BrokenFrame("broken scan", place() + ": " + waiting.failure);
     }
     if (time == 0)
-      throw BrokenFrame("no time", place_ + ": the scan's stamp is 0: allowed: a time");
+      throw BrokenFrame("no time", place() + ": the scan's stamp is 0: allowed: a time");
     scan.time = time;
     std::string gap;
     if (!trajectory_.at(time, scan, gap)) reject_pose(time, gap);
@@ -202,7 +174,7 @@ class BagReader : public ScanReader {
   }
 
   [[noreturn]] void reject_pose(double time, const std::string& gap) const {
-    throw BrokenFrame("no pose", place_ + ": no pose for the scan at " + decimal(time) +
+    throw BrokenFrame("no pose", place() + ": no pose for the scan at " + decimal(time) +
                                      " s: " + gap +
                                      ": allowed: a gap of input.pose_gap_s = " + decimal(gap_));
   }
@@ -213,11 +185,6 @@ class BagReader : public ScanReader {
   bool deskew_;
   double gap_;        // [s]
   bool tell_others_;  // of topics with scans that were not chosen by name
-  bool ended_ = false;
-  std::exception_ptr damage_;
-  std::int64_t frames_ = 0;
-  std::string place_;
-  std::deque<Waiting> waiting_;
   InputCounts counts_;
 };
 
