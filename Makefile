@@ -84,10 +84,13 @@ endef
 setup: ## install the Debian packages that are missing (apt-packages.txt)
 	$(call install,apt-packages.txt)
 
+# A cache saves more than precompiled headers, and knows no sources that use them.
+ccache = $$(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+
 # Configured once; afterwards CMake itself notices changed lists and new test files.
 $(BUILD)/Makefile: | setup
 	cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release $(if $(NATIVE),-DNATIVE=ON) \
-	  $$(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+	  $(ccache)
 
 # $(call compile,TARGET): the outer Make's flags and variables are none of CMake's business.
 compile = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL \
@@ -159,7 +162,7 @@ test-arm: ## ldm/ and its tests, built for 64-bit ARM and run under an emulator:
 	$(call install,tests/arm/apt-packages.txt)
 	@cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_TOOLCHAIN_FILE=tests/arm/toolchain.cmake \
 	  -DCMAKE_BUILD_TYPE=Release -DLDM_ALONE=ON -DWITH_TBB=OFF \
-	  $$(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+	  $(ccache)
 	@$(call compile,all)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) \
 	  | sed '/Passed\|^ *Start/d'

@@ -46,7 +46,10 @@ std::vector<std::string> settings_in(const Json& parameters,
     if (!uses(name)) continue;
     std::string text;
     if (value.is_array()) {
-      for (const Json& element : value) text += (text.empty() ? "" : ",") + element.dump();
+      for (const Json& element : value) {
+        if (!text.empty()) text += ',';
+        text += element.dump();
+      }
     } else {
       text = value.is_string() ? value.get<std::string>() : value.dump();
     }
