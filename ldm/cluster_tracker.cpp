@@ -134,7 +134,7 @@ void ClusterTracker::find_candidates(double time, std::span<const Cluster> clust
   candidates_.clear();
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const Track& track = tracks_[t];
-    const double unseen = track.found < time_ ? kUnseenCost : 0;
+    const double unseen = track.missed > 1 ? kUnseenCost : 0;
     const double drift = kDrift + kShareOfSpeed * static_cast<double>(track.velocity.norm());
     const double gate = kNearby +
                         kShareOfSize * static_cast<double>(track.size.head<2>().maxCoeff()) +
@@ -165,7 +165,7 @@ void ClusterTracker::assign(double time, std::span<Cluster> clusters) {
   for (const Candidate& candidate : candidates_) {
     Track& track = tracks_[candidate.track];
     const Cluster& cluster = clusters[candidate.cluster];
-    if (holds_another(time, cluster)) {
+    if (holds_another(cluster)) {
       track.stay_within(cluster);
     } else {
       track.take(time, cluster);
@@ -174,10 +174,10 @@ void ClusterTracker::assign(double time, std::span<Cluster> clusters) {
 }
 
 /// True if a track without a cluster leads into this one: two objects are in it.
-bool ClusterTracker::holds_another(double time, const Cluster& cluster) const {
+bool ClusterTracker::holds_another(const Cluster& cluster) const {
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const Track& track) {
     const Point offset = track.position - cluster.position;
-    return track.found < time && track.found - track.since >= kFragment &&
+    return track.missed > 0 && track.found - track.since >= kFragment &&
            (offset.array().abs() <= 0.5F * cluster.size.array()).all();
   });
 }

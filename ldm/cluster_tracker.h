@@ -61,7 +61,7 @@ class ClusterTracker {
 
   void find_candidates(double time, std::span<const Cluster> clusters);
   void assign(double time, std::span<Cluster> clusters);
-  bool holds_another(double time, const Cluster& cluster) const;
+  bool holds_another(const Cluster& cluster) const;
 
   double time_ = 0;  // of the last frame [s]
   std::int64_t last_id_ = 0;

@@ -14,6 +14,8 @@ constexpr double kFloor = 0.003;        // of a measured position: what registra
 constexpr double kSignificance = 13.8;  // chi^2 of two numbers at 99.9 %
 constexpr double kLeastSpeed = 0.1;     // of what is called dynamic [m/s]
 constexpr std::int64_t kLeastViews = 3;
+// Of what is slow no ellipse is small enough: so unlikely at rest, it moves, and until it may rest.
+constexpr double kHardlyRests = 0.01, kMayRest = 0.3;
 
 // An outline serves for so many views; less if the object is seen from elsewhere; but it is not
 // given up for one of a part of the object, unless nothing else comes.
@@ -62,10 +64,12 @@ double TrackedObject::position_sigma() const {
   return std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
 }
 
-bool TrackedObject::significant() const {
+void TrackedObject::judge_velocity() {
   const Eigen::Vector2d v = velocity();
-  return views_ >= kLeastViews && v.norm() >= kLeastSpeed &&
-         v.dot(velocity_covariance().inverse() * v) >= kSignificance;
+  const double rest = filter_.probability_of_rest();
+  const bool beyond_chance = v.dot(velocity_covariance().inverse() * v) >= kSignificance;
+  significant_ = views_ >= kLeastViews && v.norm() >= kLeastSpeed &&
+                 (beyond_chance || rest < kHardlyRests || (significant_ && rest < kMayRest));
 }
 
 double TrackedObject::distance(const Eigen::Vector2d& p) const {
@@ -118,7 +122,8 @@ void TrackedObject::judge(const Panorama& then, double time, const Panorama& now
   while (places_.size() > kLeastPlaces && places_.front().time < time) {
     places_.erase(places_.begin());
   }
-  if (!significant()) {
+  judge_velocity();
+  if (!significant_) {
     if (seen_ - last_significant_ > kRest) gone_ = false;
     return;
   }

@@ -25,9 +25,10 @@ class TrackedObject {
   Eigen::Vector2d velocity() const { return filter_.state().mean.tail<2>(); }  ///< [m/s]
   Eigen::Matrix2d velocity_covariance() const { return filter_.velocity_covariance(); }
   double position_sigma() const;  ///< along the axis where it is larger [m]
-  /// Its velocity is beyond chance: outside of its 99.9 % ellipse around zero, and 0.1 m/s or more;
-  /// and it has gone there: see `judge`.
-  bool dynamic() const { return gone_ && significant(); }
+  /// At its last view its velocity was 0.1 m/s or more and beyond chance: outside of its 99.9 %
+  /// ellipse around zero, or the probability of rest below 1 %, or below 30 % for what moved
+  /// before; and it has gone there: see `judge`.
+  bool dynamic() const { return gone_ && significant_; }
 
   /// Returns of its last view [m], and how far it has gone since.
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
@@ -60,7 +61,7 @@ class TrackedObject {
   void note_apart() { ++apart_; }
 
  private:
-  bool significant() const;
+  void judge_velocity();
   void take(double time, std::vector<Eigen::Vector3d> points, View view);
   void renew_outline();
 
@@ -80,6 +81,7 @@ class TrackedObject {
     std::vector<Eigen::Vector2d> columns;  // world [m]
   };
   std::vector<Place> places_;    // where it stood, of late
+  bool significant_ = false;     // its velocity, at its last view
   bool gone_ = false;            // from there, since it last was at rest
   double last_significant_ = 0;  // [s]
 };

@@ -208,5 +208,19 @@ TEST(ClusterTracker, TwoFramesOfOneTimeTellNothingOfTheError) {
   EXPECT_TRUE(clusters[0].velocity_covariance.isApprox(Eigen::Matrix2f::Identity()));
 }
 
+/// Which track was missed is told by frames, not by times.
+TEST(ClusterTracker, TwoWhoMeetInAFrameOfTheSameTimeKeepTheirNumbers) {
+  Followed tracks;
+  const auto left = [](double t) { return person(t - 2, 0, 1); };
+  const auto right = [](double t) { return person(2 - t, 0.4, -1); };
+  double t = 0;
+  for (; t < 1.7; t += kFrame) tracks.next(t, {left(t), right(t)});
+  for (double before = t - kFrame; t < 2.3; before = t, t += kFrame) {
+    tracks.next(before, {merged(left(t), right(t))});
+    tracks.next(t, {merged(left(t), right(t))});
+  }
+  EXPECT_EQ(tracks.next(t, {left(t), right(t)}), (Ids{1, 2}));
+}
+
 }  // namespace
 }  // namespace ldm

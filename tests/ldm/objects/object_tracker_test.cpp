@@ -127,6 +127,15 @@ TEST_F(ObjectTrackerTest, WhatGoesStraightAwayMoves) {
   EXPECT_TRUE(tracker_.objects()[0].dynamic());
 }
 
+/// 0.2 m/s: no faster than an ellipse of 99.9 % is wide.
+TEST_F(ObjectTrackerTest, WhatIsSlowMovesAfterThreeSeconds) {
+  for (int i = 0; i < 80; ++i) {
+    see({person(2.5, -0.8 + 0.02 * i)});
+    if (i < 30) continue;
+    EXPECT_TRUE(tracker_.objects()[0].dynamic()) << i;
+  }
+}
+
 TEST_F(ObjectTrackerTest, WhatStopsIsStaticAgain) {
   for (int i = 0; i < 40; ++i) see({person(2, -1 + 0.1 * std::min(i, 15))});
   ASSERT_EQ(tracker_.objects().size(), 1u);
