@@ -3,7 +3,7 @@
 Reads   RESULTS/conditions/STAGE_BEFORE/ranking.csv and conditions.csv, but for the first stage
 Writes  RESULTS/conditions/STAGE/: conditions.csv, and a folder for each condition (trials.py)
 
-A record that exists is not made again. Exit codes: 0 all trials good, 1 some failed, 2 bad input,
+A good record is not made again; trials that failed are tried again. Exit codes: 0 all trials good, 1 some failed, 2 bad input,
 130 interrupted.
 """
 
@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import json
 import os
 import re
 import shlex
@@ -22,6 +21,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "harness"))
 
+import records
 import slurm_run
 from design import offspring, read_conditions, space_filling, write_conditions
 from interruption import Interrupted, raise_when_interrupted
@@ -128,7 +128,9 @@ def main() -> int:
     found = prepare(stage, folder, root / names[place - 1] if place else None, args.frames)
     share, shares = args.share
     mine = [trial for batch in batches(found)[share - 1::shares] for trial in batch.trials]
-    missing = [trial for trial in mine if not trial.record.exists()]
+    missing = [trial for trial in mine if trial.fault()]
+    for trial in missing:
+        records.remove(trial.record.parent, trial.id)
     waiting = batches(missing)
     print(f"{args.stage}: {len(mine)} trials, {len(missing)} to run in {len(waiting)} batches",
           file=sys.stderr)
@@ -177,11 +179,15 @@ def over_slurm(args: argparse.Namespace, folder: Path, missing: list[Trial]) -> 
                 queued = slurm_run.is_queued(number)
                 for trial in [trial for trial in missing if trial.record.exists()]:
                     missing.remove(trial)
-                    bad = json.loads(trial.record.read_text(encoding="utf-8"))["status"] != "ok"
-                    failed += bad
-                    progress.count(failed=bad)
+                    fault = trial.fault()
+                    failed += bool(fault)
+                    progress.count(failed=bool(fault))
+                    if fault:
+                        print(f"\nFAILED {trial.study.parent.name} {trial.id}: {fault}", file=sys.stderr)
                 progress.show()
                 if not queued:
+                    if missing:
+                        print(f"\n{args.stage}: {len(missing)} trials left no record: {logs}", file=sys.stderr)
                     return failed + len(missing)
                 time.sleep(slurm_run.POLL_S)
     except Interrupted:

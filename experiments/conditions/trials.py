@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterable
 
+import records
 from unknowns import Value, unknowns
 from worlds import scenario_text, toml
 
@@ -38,6 +39,10 @@ class Trial:
     @property
     def record(self) -> Path:
         return self.study.parent / "records" / f"{self.id}.json"
+
+    def fault(self) -> str | None:
+        """Why there is no good record: none, one cut short, a trial that failed."""
+        return records.read(self.record.parent, self.id).error
 
 
 @dataclass(frozen=True)

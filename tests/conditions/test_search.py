@@ -128,12 +128,17 @@ def test_shares_of_many_machines_are_the_whole(tmp_path):
     assert len(records(tmp_path, "stage1")) == OF_ONE
 
 
-@needs_program
-def test_over_slurm_the_shares_are_tasks_of_one_job(tmp_path, monkeypatch):
+@pytest.fixture
+def slurm(tmp_path, monkeypatch):
+    """A stand-in for Slurm; what sbatch was told is in the file `arguments`."""
     for name in ("sbatch", "squeue", "scancel"):
         shutil.copy(ROOT / "tests" / "harness" / "fake_slurm.sh", tmp_path / name)
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
     monkeypatch.setenv("SLURM_STATE", str(tmp_path))
+
+
+@needs_program
+def test_over_slurm_the_shares_are_tasks_of_one_job(tmp_path, slurm):
     options = ("--conditions", "1", "--frames", "0.02", "--shards", "2", "--sbatch-flags=--time=9:00")
     done = stage(tmp_path / "r", "stage1", *options)
     assert done.returncode == 0, done.stderr
@@ -142,6 +147,43 @@ def test_over_slurm_the_shares_are_tasks_of_one_job(tmp_path, monkeypatch):
     assert "--array=1-2" in arguments and "--time=9:00" in arguments
     again = stage(tmp_path / "r", "stage1", *options)
     assert again.returncode == 0 and "0 to run" in again.stderr and "job" not in again.stderr
+
+
+@needs_program
+def test_over_slurm_a_trial_that_fails_is_named_and_tried_again(tmp_path, slurm):
+    options = ("--conditions", "1", "--frames", "0.02", "--shards", "2")
+    assert stage(tmp_path, "stage1", *options).returncode == 0
+    world = tmp_path / "conditions" / "stage1" / "c0001" / "scenario1.toml"
+    whole = world.read_text()
+    world.write_text(whole.replace("size_m = [10, 10]", "size_m = [1, 1]"))
+    lost = [file for file in records(tmp_path, "stage1") if file.name.startswith("scenario1.ldm.")]
+    lost[0].unlink()
+    failed = stage(tmp_path, "stage1", *options)
+    assert failed.returncode == 1
+    assert f"FAILED c0001 {lost[0].stem}: " in failed.stderr and "no world" in failed.stderr
+    world.write_text(whole)
+    again = stage(tmp_path, "stage1", *options)
+    assert again.returncode == 0 and "1 to run" in again.stderr
+
+
+@needs_program
+def test_over_slurm_trials_without_a_record_are_missed(tmp_path, slurm, monkeypatch):
+    assert stage(tmp_path, "stage1", "--conditions", "1", "--frames", "0.02").returncode == 0
+    records(tmp_path, "stage1")[0].unlink()
+    monkeypatch.setattr(sys.modules[__name__], "PROGRAM", tmp_path / "none")
+    found = stage(tmp_path, "stage1", "--conditions", "1", "--frames", "0.02", "--shards", "1")
+    assert found.returncode == 1 and "1 trials left no record" in found.stderr
+
+
+@needs_program
+def test_a_record_cut_short_is_run_again(tmp_path):
+    options = ("--conditions", "1", "--frames", "0.02")
+    assert stage(tmp_path, "stage1", *options).returncode == 0
+    short = records(tmp_path, "stage1")[0]
+    whole = short.read_bytes()
+    short.write_bytes(whole[:-2])
+    assert "1 to run" in stage(tmp_path, "stage1", *options).stderr
+    assert json.loads(short.read_bytes())["scores"] == json.loads(whole)["scores"]
 
 
 def test_without_slurm_one_line_says_so(tmp_path, monkeypatch):
