@@ -43,11 +43,12 @@ bool ScanFolderReader::next(Frame& frame) {
                                           folder_.folder.string() +
                                           ": allowed: a scan for each line");
   }
+  const std::size_t scan = scans_++;
   const StampedPose stamped = timeline_.read();
   frame.scan.time = stamped.time;
   ldm::Pose pose = stamped.pose;
   if (!folder_.poses.empty()) {
-    const auto& known = folder_.poses[static_cast<std::size_t>(frame.index)];
+    const auto& known = folder_.poses[scan];
     if (!known) throw BrokenFrame("no pose", timeline_.place() + ": no pose in nuScenes' tables");
     pose = *known;
   }

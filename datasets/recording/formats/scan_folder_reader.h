@@ -48,7 +48,8 @@ class ScanFolderReader : public ScanReader {
   ldm::Pose T_uav_sensor_;
   PosesOf poses_of_;
   ScanTimeline timeline_;
-  std::int64_t next_ = 0;
+  std::int64_t next_ = 0;  // line
+  std::size_t scans_ = 0;  // that are there, in the lines before
 };
 
 /// What the options name, else these, which need not be there.

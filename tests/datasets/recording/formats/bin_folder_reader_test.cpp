@@ -147,6 +147,21 @@ TEST_F(NuscenesTables, AScanWithoutAPoseIsMissed) {
   EXPECT_EQ(counts_.frames_skipped, (InputCounts::ByReason{{"no pose", 1}}));
 }
 
+TEST_F(NuscenesTables, KeepTheirScansWhereOthersAreMissing) {
+  fs::rename(folder_ / kFirst, folder_ / "1.bin");
+  fs::rename(folder_ / kSecond, folder_ / "3.bin");
+  write("times.txt", "0\n1\n2\n3\n");
+  write(kSamples,
+        R"([{"ego_pose_token": "e0", "calibrated_sensor_token": "c", "filename": "1.bin"},)"
+        R"({"ego_pose_token": "e1", "calibrated_sensor_token": "c", "filename": "3.bin"}])");
+  options_.keep_going = true;
+  const std::vector<Frame> all = frames();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(counts_.frames_skipped, (InputCounts::ByReason{{"missing scan", 2}}));
+  EXPECT_NEAR((all[0].scan.T_world_uav.translation + all[0].origin).x(), 411, 1e-9);
+  EXPECT_NEAR((all[1].scan.T_world_uav.translation + all[1].origin).x(), 412, 1e-9);
+}
+
 TEST_F(NuscenesTables, ThatAreNoneAreRefused) {
   const auto refused = [&](const std::string& file, const std::string& text,
                            const std::string& message) {
