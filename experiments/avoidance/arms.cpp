@@ -22,8 +22,14 @@ struct TunedTrust {
   double doubt;
 };
 constexpr TunedTrust kTunedTrust[] = {
-    {"circular_buffer", 0.3, 1}, {"octomap", 0.2, 1},       {"current_scan", 0.2, 1},
-    {"oracle", 0.1, 1},          {"oracle_future", 0.1, 1},
+    {"ldm", 0.2, 2},
+    {"object_ldm", 0.2, 2},
+    {"circular_buffer", 0.3, 1},
+    {"circular_buffer_pf", 0.3, 1},
+    {"octomap", 0.2, 1},
+    {"current_scan", 0.2, 1},
+    {"oracle", 0.1, 1},
+    {"oracle_future", 0.1, 1},
 };
 
 Trust tuned_trust(std::string_view arm) {
