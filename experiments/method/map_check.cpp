@@ -1,8 +1,16 @@
 #include "experiments/method/map_check.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ldm/machine/processor.h"
 
 namespace experiments {
 namespace {
@@ -55,30 +63,44 @@ void check_shape(const ldm::LocalMap& map, const Place& place) {
   }
 }
 
-/// One pass without branches decides; the culprit is looked for only if there is one.
+/// The highest bit is set if a value may be bad: an occupancy outside [0, 1] or -0, a label that is
+/// neither -1 nor a position in the clusters. As whole numbers, for floats from 0 on are in the
+/// order of their bits: x is in 0..n if neither x nor n - x has the highest bit. One pass without
+/// branches over both.
+LDM_TARGET_CLONES std::uint32_t suspicion(std::span<const float> occupancy,
+                                          std::span<const std::int32_t> labels,
+                                          std::uint32_t clusters) {
+  constexpr auto kOne = std::bit_cast<std::uint32_t>(1.0F);
+  std::uint32_t of_occupancy = 0, of_labels = 0;
+  for (std::size_t i = 0; i < occupancy.size(); ++i) {
+    const auto bits = std::bit_cast<std::uint32_t>(occupancy[i]);
+    of_occupancy |= bits | (kOne - bits);
+    const std::uint32_t number = static_cast<std::uint32_t>(labels[i]) + 1;  // -1 becomes 0
+    of_labels |= number | (clusters - number);
+  }
+  return of_occupancy | of_labels;
+}
+
 template <class Value, class Good>
 void check_all(const std::vector<Value>& values, const Place& place, const char* name,
                const std::string& allowed, Good good) {
-  int bad = 0;
-  for (const Value value : values) bad |= static_cast<int>(!good(value));
-  if (bad == 0) return;
-  std::size_t i = 0;
-  while (good(values[i])) ++i;
-  refuse(place, at(name, i), values[i], allowed);
+  const auto bad = std::find_if_not(values.begin(), values.end(), good);
+  if (bad == values.end()) return;
+  refuse(place, at(name, static_cast<std::size_t>(bad - values.begin())), *bad, allowed);
 }
 
 void check_voxels(const ldm::LocalMap& map, const Place& place) {
-  // Bitwise, so that no branch is left; nothing that is not a number is within a bound.
-  check_all(map.occupancy, place, "map.occupancy", "0 to 1", [](float p) {
-    return static_cast<bool>(static_cast<int>(p >= 0.0F) & static_cast<int>(p <= 1.0F));
-  });
-  const auto clusters = static_cast<std::uint32_t>(map.clusters.size());
+  const auto clusters = static_cast<std::int32_t>(map.clusters.size());
+  const std::uint32_t found =
+      suspicion(map.occupancy, map.labels, static_cast<std::uint32_t>(clusters));
+  if (found >> 31 == 0) return;
+  check_all(map.occupancy, place, "map.occupancy", "0 to 1",
+            [](float p) { return p >= 0 && p <= 1; });
   const std::string labels =
       clusters == 0 ? "-1: there are no clusters"
                     : "-1 to " + std::to_string(clusters - 1) + ", the positions in map.clusters";
-  check_all(map.labels, place, "map.labels", labels, [clusters](std::int32_t label) {
-    return static_cast<std::uint32_t>(label) + 1 <= clusters;  // -1 becomes 0
-  });
+  check_all(map.labels, place, "map.labels", labels,
+            [clusters](std::int32_t label) { return label >= -1 && label < clusters; });
 }
 
 void check_cluster(const ldm::Cluster& cluster, const std::string& name, const Place& place) {

@@ -26,6 +26,7 @@ TEST(MapCheck, TakesAGoodMap) {
   ldm::LocalMap map = unknown_map(3);
   add_cluster(map, {{0, 0, 0}, {1, 0, 0}});
   map.occupancy.front() = 0;
+  map.occupancy[1] = -0.0F;
   map.occupancy.back() = 1;
   EXPECT_NO_THROW(check_map(map, "mine", 0));
 }
@@ -57,6 +58,7 @@ TEST(MapCheck, RefusesLabelsOfNoCluster) {
             "mine, frame 7: map.labels[5] = 999: allowed: -1 to 1, the positions in map.clusters");
   EXPECT_NE(said_of([](auto& map) { map.labels[5] = 2; }), "");
   EXPECT_NE(said_of([](auto& map) { map.labels[5] = -2; }), "");
+  EXPECT_NE(said_of([](auto& map) { map.labels[26] = 2147483647; }), "");
   EXPECT_EQ(said_of([](auto& map) { map.clusters.clear(); }),
             "mine, frame 7: map.labels[0] = 0: allowed: -1: there are no clusters");
 }
