@@ -190,7 +190,7 @@ def read_json(file: Path) -> object:
         return json.loads(file.read_bytes(), parse_constant=_refuse)
     except OSError as error:
         raise InputError(f"{file}: unreadable: {error.strerror}") from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{file}: unreadable: cut short or no JSON: {error}") from error
 
 

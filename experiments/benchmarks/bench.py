@@ -7,6 +7,7 @@ input.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import os
 import statistics
@@ -77,6 +78,21 @@ def document(run: Run, kernels: list[dict], load: list[float]) -> dict:
     }
 
 
+def write(file: Path, text: str) -> int:
+    """The file as a whole, or not at all, and the exit code."""
+    unfinished = file.with_suffix(".part")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        unfinished.write_text(text, encoding="utf-8")
+        unfinished.replace(file)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            unfinished.unlink()
+        print(f"bench: {file}: {error.strerror}", file=sys.stderr)
+        return 1
+    return 0
+
+
 def main() -> int:
     args = parse_arguments()
     try:
@@ -87,10 +103,8 @@ def main() -> int:
     except BenchError as error:
         print(f"bench: {error}", file=sys.stderr)
         return error.code
-    args.results.mkdir(parents=True, exist_ok=True)
     text = json.dumps(document(run, kernels, load), indent=1) + "\n"
-    (args.results / "bench.json").write_text(text, encoding="utf-8")
-    return 0
+    return write(args.results / "bench.json", text)
 
 
 if __name__ == "__main__":

@@ -3,8 +3,8 @@
 Reads   RESULTS/conditions/STAGE_BEFORE/ranking.csv and conditions.csv, but for the first stage
 Writes  RESULTS/conditions/STAGE/: conditions.csv, and a folder for each condition (trials.py)
 
-A good record is not made again; trials that failed are tried again. Exit codes: 0 all trials good, 1 some failed, 2 bad input,
-130 interrupted.
+A good record is not made again; trials that failed are tried again. Exit codes: 0 all trials good, 1 some
+failed or a file cannot be written, 2 bad input, 130 interrupted.
 """
 
 from __future__ import annotations
@@ -120,6 +120,15 @@ def shortened(stage: dict, args: argparse.Namespace) -> dict:
 
 def main() -> int:
     args = parse_arguments()
+    try:
+        return complete(args)
+    except OSError as error:
+        print(f"{args.stage}: {error.filename or args.results}: {error.strerror}", file=sys.stderr)
+        return 1
+
+
+def complete(args: argparse.Namespace) -> int:
+    """Run what is missing of the stage; the exit code."""
     names = [stage["name"] for stage in stages()]
     place = names.index(args.stage)
     stage = shortened(stages()[place], args)

@@ -7,12 +7,14 @@
 
 from __future__ import annotations
 
+import shlex
 import subprocess
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterable
 
+import pace
 import records
 from unknowns import Value, unknowns
 from worlds import scenario_text, toml
@@ -58,6 +60,10 @@ class Batch:
             output = self.trials[0].record
         return [program, "--data-dir", str(DATA), "trial", str(study), *(trial.id for trial in self.trials),
                 "--seeds", str(replicate), "-o", str(output)]
+
+    def limit_s(self) -> float:
+        """How long it may take: as a study's trials, one after the other."""
+        return sum(pace.limit_s([trial.id.split(".")[1]], trial.frames, None) for trial in self.trials)
 
 
 def batches(missing: Iterable[Trial]) -> list[Batch]:
@@ -123,7 +129,12 @@ def run(missing: list[Batch], program: str, jobs: int, done: Callable[[Batch, st
 
 
 def _run(batch: Batch, program: str) -> str:
-    found = subprocess.run(batch.command(program), capture_output=True, text=True, check=False)
+    limit_s = batch.limit_s()
+    try:
+        found = subprocess.run(batch.command(program), capture_output=True, text=True, check=False,
+                               timeout=limit_s)
+    except subprocess.TimeoutExpired:
+        return f"took longer than {limit_s:.0f} s: {shlex.join(batch.command(program))}"
     if found.returncode and not found.stderr.strip():
         return f"exit code {found.returncode}"
     return found.stderr.strip() if found.returncode else ""

@@ -1,4 +1,4 @@
-"""Ctrl-C, a polite request to end, or a terminal that closes: one exception, once."""
+"""Ctrl-C, a polite request to end, or a terminal that closes: one exception, once. One line for each end."""
 
 import signal
 import sys
@@ -25,9 +25,13 @@ def raise_when_interrupted() -> None:
 
 
 def run(main: Callable[[], int]) -> int:
-    """Exit code of a `main` that only prints: its own, or at Ctrl-C 130 with one line on stderr."""
+    """Exit code of a `main` that only prints: its own, or with one line on stderr 1 if a file cannot be read
+    or run, 130 at Ctrl-C."""
     try:
         return main()
+    except OSError as error:
+        print(f"{error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return EXIT_CODE

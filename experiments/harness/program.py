@@ -14,9 +14,14 @@ def command(program: str, plugins: list[str] = ()) -> list[str]:
 
 
 def ask(words: list[str]) -> tuple[dict | list | None, subprocess.CompletedProcess]:
-    """The program's answer; None if it has refused."""
+    """The program's answer; None if it has refused. Whatever else answers ends this program."""
     done = subprocess.run([*words, "--json"], capture_output=True, text=True, check=False)
-    return (json.loads(done.stdout) if done.returncode == 0 else None), done
+    if done.returncode != 0:
+        return None, done
+    try:
+        return json.loads(done.stdout), done
+    except ValueError:
+        sys.exit(f"{words[0]}: answers no JSON; LDM is to be the `ldm` program")
 
 
 def answer(words: list[str]) -> dict | list:

@@ -33,7 +33,7 @@ def read(folder: Path, trial: str) -> Record:
         content = json.loads(file.read_bytes())
     except FileNotFoundError:
         return Record(file, "no record", False, {})
-    except ValueError:
+    except (ValueError, RecursionError):
         return Record(file, "the record is cut short or no JSON", False, {})
     if not isinstance(content, dict) or content.get("status") not in ("ok", "failed"):
         return Record(file, "the record has no status", False, {})

@@ -13,7 +13,7 @@ import pytest
 import search
 from design import read_conditions, space_filling
 from unknowns import unknowns
-from trials import METHODS, Trial, batches, parameters, trials, write_studies
+from trials import METHODS, Trial, batches, parameters, run, trials, write_studies
 from worlds import scenario_text, toml
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -118,6 +118,24 @@ def test_a_stage_runs_is_resumed_and_hands_over_to_the_next(tmp_path):
     before = read_conditions(tmp_path / "conditions" / "stage1" / "conditions.csv")
     hints = read_conditions(search.STAGES.with_name("hints.csv"))
     assert list(found) == ["c0002", *hints, "stage2a-001"] and found["c0002"] == before["c0002"]
+
+
+def test_a_batch_that_hangs_is_ended_and_named(tmp_path, monkeypatch):
+    program = tmp_path / "ldm"
+    program.write_text("#!/bin/sh\nexec sleep 1000\n")
+    program.chmod(0o755)
+    monkeypatch.setattr("pace.limit_s", lambda *_: 0.2)
+    complaints = []
+    batch = batches([Trial(tmp_path / "flight.toml", "scenario1.ldm.s001", 1, 3)])
+    assert run(batch, str(program), 1, lambda _, complaint: complaints.append(complaint)) == 1
+    assert complaints[0].startswith(f"took longer than 0 s: {program} --data-dir ")
+
+
+def test_results_that_cannot_be_written_are_one_line(tmp_path):
+    (tmp_path / "conditions").write_text("a file")
+    found = stage(tmp_path, "stage1", "--conditions", "1")
+    assert found.returncode == 1
+    assert found.stderr == f"stage1: {tmp_path}/conditions/stage1: Not a directory\n"
 
 
 @needs_program

@@ -91,6 +91,27 @@ def test_a_study_that_has_run_is_estimated_from_its_own_trials(studies, tmp_path
     assert "*" not in shown
 
 
+@pytest.mark.parametrize("program, said", [
+    ("/nowhere/ldm", "/nowhere/ldm: No such file or directory"),
+    ("/usr", "/usr: Permission denied"),
+    ("/bin/true", "/bin/true: answers no JSON; LDM is to be the `ldm` program")])
+@pytest.mark.parametrize("target", ["studies", "trials"])
+def test_another_program_is_one_line(target, program, said, tmp_path):
+    done = subprocess.run(["make", "-C", ROOT, target, "STUDY=table1", f"LDM={program}", f"RESULTS={tmp_path}"],
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    line, *rest = done.stderr.splitlines()
+    assert line.removeprefix("study table1: ") == said
+    assert len(rest) == 1 and rest[0].startswith("make: ***")
+
+
+def test_a_folder_in_place_of_a_manifest_is_one_line(studies, tmp_path):
+    (tmp_path / "timing" / "MANIFEST").mkdir(parents=True)
+    with pytest.raises(subprocess.CalledProcessError) as failed:
+        studies()
+    assert failed.value.stderr.splitlines()[0] == f"{tmp_path}/timing/MANIFEST: Is a directory"
+
+
 def test_a_run_leaves_its_pace(tmp_path):
     bench = Bench(tmp_path)
     assert bench.run().returncode == 0
