@@ -65,8 +65,10 @@ void collect_leaves(const TomlNode& table, const std::string& prefix,
 void reject_unasked(const TomlNode& node) {
   for (const auto& child : node.children) {
     if (node.is_table() && !node.asked.contains(child->key)) {
-      throw ldm::InvalidInput(child->place + ": " + child->path + " = " + child->shown() +
-                              ": unknown key: allowed: " + joined(node.asked));
+      throw ldm::InvalidInput(
+          child->place + ": " + child->path + " = " + child->shown() +
+          ": unknown key: allowed: " + joined(node.asked) +
+          did_you_mean(child->key, std::vector<std::string>(node.asked.begin(), node.asked.end())));
     }
     reject_unasked(*child);
   }

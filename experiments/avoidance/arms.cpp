@@ -58,22 +58,22 @@ Arm find_arm(std::string_view name) {
   Arm arm;
   arm.name = name;
   arm.trust = tuned_trust(name);
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   for (const Control& control : kControls) {
-    known.push_back(control.name);
+    known.emplace_back(control.name);
     if (control.name != name) continue;
     arm.kind = control.kind;
     if (control.kind == ArmKind::kBlind) arm.method = &find_method("empty_map");
     return arm;
   }
   for (const Method& method : methods()) {
-    known.push_back(method.name);
+    known.emplace_back(method.name);
     if (method.name != name) continue;
     arm.method = &method;
     return arm;
   }
-  throw ldm::InvalidInput("unknown arm " + std::string(name) +
-                          ": allowed: " + datasets::joined(known));
+  throw ldm::InvalidInput("unknown arm " + std::string(name) + ": allowed: " +
+                          datasets::joined(known) + datasets::did_you_mean(name, known));
 }
 
 ldm::Parameters arm_parameters(const Arm& arm) {

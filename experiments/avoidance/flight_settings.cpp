@@ -1,6 +1,7 @@
 #include "experiments/avoidance/flight_settings.h"
 
 #include <string>
+#include <vector>
 
 #include "datasets/files/text.h"
 #include "datasets/files/toml_reader.h"
@@ -16,8 +17,10 @@ bool is_of_flight(std::string_view name) {
 struct Setter {
   const Setting& setting;
   bool found = false;
+  std::vector<std::string> known = {};
 
   void operator()(std::string_view name, double& value, double min, double max) {
+    known.emplace_back(name);
     if (name != setting.name) return;
     found = true;
     double number = 0;
@@ -47,7 +50,10 @@ void apply(const Setting& setting, FlightSettings& settings) {
   if (is_of_flight(setting.name)) {
     Setter setter{setting};
     visit_flight_settings(settings, setter);
-    if (!setter.found) refuse(setting, "a value that docs/avoidance.md lists");
+    if (!setter.found) {
+      refuse(setting, "a value that docs/avoidance.md lists" +
+                          datasets::did_you_mean(setting.name, setter.known));
+    }
     return;
   }
   apply(setting, settings.map);

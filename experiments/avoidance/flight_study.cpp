@@ -30,7 +30,11 @@ void read_worlds(const TomlTable& file, const DataFolder& corridors, FlightStudy
                                 world.name);
       }
       world.frames = study.frames;
-      draw_corridor(world, 1);  // whether it is a corridor at all
+      check_plain_name(path.string(), world.name);
+      const auto same = [&](const datasets::Scenario& w) { return w.name == world.name; };
+      if (std::count_if(study.worlds.begin(), study.worlds.end(), same) > 1) {
+        throw ldm::InvalidInput(world.name + " comes twice: allowed: each world once");
+      }
     });
   }
 }
@@ -52,6 +56,39 @@ void read_arms(const TomlTable& file, const StudyOptions& options, FlightStudy& 
   }
 }
 
+void read_set(const TomlTable& file, FlightStudy& study) {
+  if (!file.has("set")) return;
+  for (const Setting& setting : settings_of(file.table("set"))) {
+    if (scenario_key(setting).empty()) {
+      study.settings.push_back(setting);
+    } else {
+      for (datasets::Scenario& world : study.worlds) apply(setting, world);
+    }
+  }
+}
+
+/// With what the point says of it.
+datasets::Scenario world_at(const FlightStudy& study, std::size_t world, const Point& point) {
+  datasets::Scenario found = study.worlds[world];
+  for (const Setting& setting : point) {
+    if (!scenario_key(setting).empty()) apply(setting, found);
+  }
+  return found;
+}
+
+/// That every world of every point is a corridor at all.
+void check_worlds(const FlightStudy& study) {
+  const Point& first = study.points.front();
+  const bool varies = std::any_of(first.begin(), first.end(), [](const Setting& setting) {
+    return !scenario_key(setting).empty();
+  });
+  for (std::size_t world = 0; world < study.worlds.size(); ++world) {
+    for (std::size_t point = 0; point < (varies ? study.points.size() : 1); ++point) {
+      draw_corridor(world_at(study, world, study.points[point]), 1);
+    }
+  }
+}
+
 /// That each value fits the arms that use it, and one does.
 void check_values(const FlightStudy& study) {
   for (const std::string& arm : study.arms) {
@@ -66,6 +103,7 @@ void check_values(const FlightStudy& study) {
     }
   }
   const auto check_used = [&](const Setting& setting) {
+    if (!scenario_key(setting).empty()) return;
     const bool used = std::any_of(study.arms.begin(), study.arms.end(), [&](const auto& arm) {
       return uses(flight_settings(arm), setting.name);
     });
@@ -114,6 +152,7 @@ FlightStudy read_flight_study(const std::filesystem::path& path, const DataFolde
   const TomlTable file = TomlTable::open(path);
   FlightStudy study;
   study.name = path.stem().string();
+  check_plain_name(path.string(), study.name);
   study.file = read_file(path, corridors);
   study.title = file.text("title");
   study.seeds = file.integer("seeds", {.min = 1, .max = 100000});
@@ -123,11 +162,12 @@ FlightStudy read_flight_study(const std::filesystem::path& path, const DataFolde
   if (options.frames) study.frames = *options.frames;
   read_arms(file, options, study);
   read_worlds(file, corridors, study);
-  if (file.has("set")) study.settings = settings_of(file.table("set"));
+  read_set(file, study);
   study.points = {Point{}};
   if (file.has("sweep")) study.points = read_points(file.table("sweep"));
   file.reject_unknown_keys();
   check_values(study);
+  check_worlds(study);
   return study;
 }
 
@@ -185,13 +225,18 @@ std::optional<std::string> run_flight_trial(const TrialRequest& request,
   const std::vector<FlightTrial> all = flight_trials(study);
   const auto trial = std::find_if(all.begin(), all.end(),
                                   [&](const FlightTrial& t) { return t.id == request.id; });
-  if (trial == all.end()) refuse_trial(study.name, request.id);
+  if (trial == all.end()) {
+    std::vector<std::string> ids(all.size());
+    std::transform(all.begin(), all.end(), ids.begin(),
+                   [](const FlightTrial& known) { return known.id; });
+    refuse_trial(study.name, request.id, ids);
+  }
   FlightRecord record;
   record.command = repeating_command(request, study.seeds, study.frames);
   record.study = study.name;
   record.id = trial->id;
   record.point = study.points[trial->point];
-  record.world = study.worlds[trial->world];
+  record.world = world_at(study, trial->world, record.point);
   record.replicate = trial->replicate;
   record.seed = corridor_seed(record.world, trial->replicate);
   record.settings = trial_settings(study, *trial);

@@ -8,7 +8,8 @@
 ///     seeds = 20                             # replicates `first_seed`, `first_seed` + 1, ...
 ///     first_seed = 1                         # default 1: other seeds for tuning
 ///     frames = 400                           # scans after which a flight is given up
-///     [set], [sweep]                         # as in every study, of trust., flight., and the map
+///     [set], [sweep]                         # as in every study, of trust., flight., the map, and
+///                                            # `scenario.` values of the worlds
 #include <cstdint>
 #include <filesystem>
 #include <optional>

@@ -76,11 +76,16 @@ std::string ending(const Flight& flight) {
 void fly(const FlyRequest& request, const DataFolders& folders, std::ostream& out) {
   FlightRecord record;
   record.settings = flight_settings(request.arm);
+  record.world = datasets::read_scenario(folders.corridors.file(request.world));
   for (const std::string& text : request.settings) {
-    apply(parse_setting(text), record.settings);
+    const Setting setting = parse_setting(text);
+    if (scenario_key(setting).empty()) {
+      apply(setting, record.settings);
+    } else {
+      apply(setting, record.world);
+    }
   }
   record.command = request.command;
-  record.world = datasets::read_scenario(folders.corridors.file(request.world));
   record.seed = request.seed;
   const FlightTask task = flight_task(record.world, record.seed, record.settings);
   datasets::make_folder(request.output);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "experiments/method/map_check.h"
 
 namespace experiments {
 namespace {
@@ -38,11 +41,12 @@ struct Span {
 class MappedSight final : public Sight {
  public:
   MappedSight(const Method& method, const ldm::Parameters& parameters, const Trust& trust)
-      : trust_(trust), mapper_(method.create(parameters)) {}
+      : name_(method.name), trust_(trust), mapper_(method.create(parameters)) {}
 
   void see(const datasets::Frame& frame) override {
     mapper_->update(frame.scan);
     mapper_->read(map_);
+    check_map(map_, name_, frame.index);
   }
 
   void predict(const SampleTimes& times, Surroundings& surroundings) override {
@@ -52,7 +56,7 @@ class MappedSight final : public Sight {
     occupied_.assign(map_.occupancy.size(), 0);
     for (std::size_t i = 0; i < occupied_.size(); ++i) {
       if (!ldm::is_occupied(map_.occupancy[i])) continue;
-      const std::int32_t label = map_.labels.empty() ? -1 : map_.labels[i];
+      const std::int32_t label = map_.labels[i];
       if (label >= 0 && moves(map_.clusters[static_cast<std::size_t>(label)])) {
         spans[static_cast<std::size_t>(label)].add(map_.window.voxel(i));
       } else {
@@ -105,6 +109,7 @@ class MappedSight final : public Sight {
     return mover;
   }
 
+  std::string name_;  // of the method
   Trust trust_;
   std::unique_ptr<ldm::Mapper> mapper_;
   ldm::LocalMap map_;

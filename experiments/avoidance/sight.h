@@ -35,6 +35,7 @@ class Sight {
 };
 
 /// Knows what a method maps. Clusters that move are predicted at constant velocity.
+/// `see` throws what check_map says of a map that is none.
 std::unique_ptr<Sight> mapped_sight(const Method& method, const ldm::Parameters& parameters,
                                     const Trust& trust);
 

@@ -81,11 +81,12 @@ Words flight_values(const Typed& typed, const DataFolders& folders) {
 
 /// NAME= of what may be set.
 Words settings(const Typed& typed, const DataFolders& folders) {
-  if (typed.command->name == "fly") return flight_values(typed, folders);
   Words names;
   const Words known = method_names();
   const bool has_method = !typed.values.empty() && holds(known, typed.values.front());
-  if (typed.command->name != "simulate") {
+  if (typed.command->name == "fly") {
+    names = flight_values(typed, folders);
+  } else if (typed.command->name != "simulate") {
     const auto method = has_method ? std::optional(typed.values.front()) : std::nullopt;
     for (const ListedParameter& p : listed_parameters(method, folders))
       names.push_back(p.name + '=');

@@ -53,8 +53,10 @@ void add_fly(CommandLine& line) {
   command.option("WORLD", request->world, "name in datasets/corridors, or .toml file").required();
   command.option("--seed", request->seed, "of the world").shows_default();
   command
-      .option("--set", request->settings,
-              "name=value of flight, trust or map (docs/avoidance.md); may be repeated")
+      .option(
+          "--set", request->settings,
+          "name=value of flight, trust or map (docs/avoidance.md), or scenario.NAME=VALUE of the "
+          "world; may be repeated")
       .repeatable();
   command.option("-o,--output", request->output, "folder, made if it is missing").required();
   command.option("--video", request->video,

@@ -36,7 +36,9 @@ Choice choice_of(const std::string& option, const std::string& word,
                  const std::string_view (&names)[n]) {
   const auto* const name = std::find(std::begin(names), std::end(names), word);
   if (name == std::end(names)) {
-    throw ldm::InvalidInput(option + " " + word + ": allowed: " + datasets::joined(names));
+    throw ldm::InvalidInput(
+        option + " " + word + ": allowed: " + datasets::joined(names) +
+        datasets::did_you_mean(word, std::vector<std::string>(std::begin(names), std::end(names))));
   }
   return static_cast<Choice>(name - names);
 }

@@ -118,7 +118,15 @@ std::vector<ListedParameter> listed_parameters(const std::optional<std::string>&
   const std::vector<std::string> scenarios = folders.scenarios.names();
   const bool is_scenario = of->ends_with(".toml") ||
                            std::find(scenarios.begin(), scenarios.end(), *of) != scenarios.end();
-  return is_scenario ? of_scenario(folders.scenarios.file(*of)) : of_method(&find_method(*of));
+  if (is_scenario) return of_scenario(folders.scenarios.file(*of));
+  std::vector<std::string> known{"scenario"};
+  known.insert(known.end(), scenarios.begin(), scenarios.end());
+  for (const Method& method : methods()) {
+    if (method.name == *of) return of_method(&method);
+    known.emplace_back(method.name);
+  }
+  throw ldm::InvalidInput("unknown method or scenario " + *of + ": allowed: " +
+                          datasets::joined(known) + datasets::did_you_mean(*of, known));
 }
 
 }  // namespace experiments

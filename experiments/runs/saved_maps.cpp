@@ -4,6 +4,7 @@
 
 #include "baselines/octomap_file.h"
 #include "datasets/files/partial_file.h"
+#include "datasets/files/text.h"
 #include "experiments/metrics/truth_grid.h"
 #include "experiments/pictures/map_picture.h"
 #include "experiments/runs/ply_file.h"
@@ -42,7 +43,8 @@ SavedMaps::SavedMaps(const SavedMapsRequest& request, std::filesystem::path fold
     } else if (format == "bt") {
       bt_ = true;
     } else {
-      throw ldm::InvalidInput("--save-as " + format + ": allowed: ply, bt");
+      throw ldm::InvalidInput("--save-as " + format + ": allowed: ply, bt" +
+                              datasets::did_you_mean(format, {"ply", "bt"}));
     }
   }
 }

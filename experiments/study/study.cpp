@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "datasets/files/text.h"
 #include "datasets/hash.h"
 #include "experiments/study/seeds.h"
 
@@ -19,17 +20,8 @@ constexpr datasets::Integers kSeeds{.min = 1, .max = 100000};
 constexpr datasets::Integers kFrames{.min = 1, .max = 1000000};
 
 /// Names become parts of ids and of file names; dots part them.
-void check_name(const std::string& place, const std::string& name) {
-  const bool good = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '-';
-  });
-  if (!good) {
-    throw ldm::InvalidInput(place + ": name \"" + name + "\": allowed: letters, digits, _ and -");
-  }
-}
-
 void add_entrant(Study& study, const std::string& place, Entrant entrant) {
-  check_name(place, entrant.name);
+  check_plain_name(place, entrant.name);
   for (const Entrant& other : study.entrants) {
     if (other.name == entrant.name) {
       throw ldm::InvalidInput(place + ": " + entrant.name +
@@ -86,7 +78,7 @@ void read_scenarios(const TomlTable& file, const DataFolder& folder, Study& stud
       throw ldm::InvalidInput(place + ": " + error.what());
     }
     const std::string& added = study.scenarios.back().name;
-    check_name(place, added);
+    check_plain_name(place, added);
     const auto same = [&](const datasets::Scenario& s) { return s.name == added; };
     if (std::count_if(study.scenarios.begin(), study.scenarios.end(), same) > 1) {
       throw ldm::InvalidInput(place + ": " + added + " comes twice: allowed: each scenario once");
@@ -159,6 +151,15 @@ void check_trials(const Study& study) {
 
 }  // namespace
 
+void check_plain_name(const std::string& place, const std::string& name) {
+  const bool good = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  if (!good) {
+    throw ldm::InvalidInput(place + ": name \"" + name + "\": allowed: letters, digits, _ and -");
+  }
+}
+
 ReadFile read_file(const std::filesystem::path& path, const DataFolder& folder) {
   const auto data = std::filesystem::weakly_canonical(folder.path / ".." / "..");
   const auto file = std::filesystem::weakly_canonical(path);
@@ -174,7 +175,7 @@ Study read_study(const std::filesystem::path& path, const DataFolder& scenarios,
   const TomlTable file = TomlTable::open(path);
   Study study;
   study.name = path.stem().string();
-  check_name(path.string(), study.name);
+  check_plain_name(path.string(), study.name);
   study.file = read_file(path, scenarios);
   study.title = file.text("title");
   study.seeds = file.integer("seeds", kSeeds);
@@ -225,17 +226,21 @@ std::string trial_id(const Study& study, const Trial& trial) {
                   study.swept() ? std::optional(trial.point) : std::nullopt, trial.replicate);
 }
 
-void refuse_trial(const std::string& study, std::string_view id) {
+void refuse_trial(const std::string& study, std::string_view id,
+                  const std::vector<std::string>& known) {
   throw ldm::InvalidInput("study " + study + " has no trial " + std::string(id) +
-                          ": allowed: an id that `ldm trials " + study + "` lists");
+                          ": allowed: an id that `ldm trials " + study + "` lists" +
+                          datasets::did_you_mean(id, known));
 }
 
 Trial find_trial(const Study& study, std::string_view id) {
   const std::vector<Trial> all = trials(study);
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Trial& trial) { return trial_id(study, trial) == id; });
-  if (found == all.end()) refuse_trial(study.name, id);
-  return *found;
+  std::vector<std::string> ids;
+  for (const Trial& trial : all) {
+    ids.push_back(trial_id(study, trial));
+    if (ids.back() == id) return trial;
+  }
+  refuse_trial(study.name, id, ids);
 }
 
 ldm::Parameters trial_parameters(const Study& study, const Trial& trial) {

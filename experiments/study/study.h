@@ -71,6 +71,10 @@ struct StudyOptions {
   std::vector<std::string> methods = {};  ///< instead of the study's methods and variants
 };
 
+/// Names of studies, worlds and methods become those of files and trials.
+/// @throws ldm::InvalidInput beginning with `place` unless it is of letters, digits, _ and -.
+void check_plain_name(const std::string& place, const std::string& name);
+
 /// Reads and checks all of it: every value of every point fits every scenario and method.
 /// @throws ldm::InvalidInput with file, line, key, value and what is allowed.
 Study read_study(const std::filesystem::path& file, const DataFolder& scenarios,
@@ -90,8 +94,9 @@ std::string trial_id(const std::string& scenario, const std::string& method,
                      std::optional<std::size_t> point, std::int64_t replicate);
 std::string trial_id(const Study& study, const Trial& trial);
 
-/// @throws ldm::InvalidInput that the study has no such trial.
-[[noreturn]] void refuse_trial(const std::string& study, std::string_view id);
+/// @throws ldm::InvalidInput that the study has no such trial; `known` are the ids that it has.
+[[noreturn]] void refuse_trial(const std::string& study, std::string_view id,
+                               const std::vector<std::string>& known);
 
 /// @throws ldm::InvalidInput if the study has no such trial.
 Trial find_trial(const Study& study, std::string_view id);

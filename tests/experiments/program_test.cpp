@@ -62,6 +62,15 @@ TEST_F(Program, AsksWhatWasMeant) {
   expect_bad("run ldm scenario1 -o o --set scenario.sensor.rate_h=3",
              "; did you mean sensor.rate_hz?");
   expect_bad("run ldm scenario1 -o o --save-frame 3", "; did you mean --save-frames?");
+  expect_bad("run ldm scenario1 -o o --format kiti", "; did you mean kitti?");
+  expect_bad("run ldm scenario1 -o o --save-as plz", "; did you mean ply?");
+  expect_bad("fly lmd still8 -o o", "; did you mean ldm?");
+  expect_bad("fly ldm stil8 -o o", "; did you mean still8?");
+  expect_bad("fly ldm still8 -o o --set flight.dealy_s=0.1", "; did you mean flight.delay_s?");
+  expect_bad("parameters scenario33", "; did you mean scenario3?");
+  expect_bad("trial " + write_study() + " scenario1.curent_scan.s001 -o r.json",
+             "; did you mean scenario1.current_scan.s001?");
+  expect_bad("trials " + write_study("serie = true\n"), "; did you mean series?");
   EXPECT_EQ(ldm("run kalman scenario1 -o o").error.find("did you mean"), std::string::npos);
 }
 
@@ -90,7 +99,7 @@ TEST_F(Program, ListsTheValuesOfScenarios) {
   EXPECT_NE(one.find("sensor.rate_hz "), std::string::npos) << one;
   EXPECT_NE(one.find("groups.boxes.count "), std::string::npos);
   EXPECT_EQ(one.find("groups.NAME"), std::string::npos);
-  expect_bad("parameters scenario4", "unknown method scenario4");
+  expect_bad("parameters scenario4", "unknown method or scenario scenario4");
 }
 
 TEST_F(Program, CompletesWhatIsTyped) {
@@ -124,7 +133,8 @@ TEST_F(Program, CompletesFlights) {
   EXPECT_EQ(ldm("complete fly ldm still8 --set particles.c").out, "particles.count=\n");
   EXPECT_EQ(ldm("complete fly octomap still8 --set particles.").out, "");
   EXPECT_EQ(ldm("complete fly oracle still8 --set map.").out, "map.resolution_m=\nmap.voxels=\n");
-  EXPECT_EQ(ldm("complete fly oracle still8 --set scenario.").out, "");
+  EXPECT_EQ(ldm("complete fly oracle still8 --set scenario.sensor.range").out,
+            "scenario.sensor.range_m=\nscenario.sensor.range_sigma_m=\n");
   EXPECT_EQ(ldm("complete fly nobody still8 --set flight.d").out, "flight.delay_s=\n");
   EXPECT_EQ(ldm("complete fly ldm still8 --vid").out, "--video\n");
 }

@@ -99,6 +99,32 @@ TEST_F(FlightStudyTest, NamesWhatIsWrong) {
             std::string::npos);
 }
 
+TEST_F(FlightStudyTest, TakesNoWorldOrNameTwice) {
+  EXPECT_NE(error_with("moving5_05", "still8").find("tiny.toml:2: still8 comes twice: allowed: "),
+            std::string::npos);
+  const std::string odd = folder_.write("my study.toml", kTiny).string();
+  expect_bad("trials '" + odd + "'", "name \"my study\": allowed: letters, digits, _ and -");
+}
+
+TEST_F(FlightStudyTest, SetsAndSweepsValuesOfItsWorlds) {
+  write(std::string(kTiny) +
+        "[set]\n\"scenario.sensor.range_m\" = [0.3, 7]\n"
+        "[sweep.axes]\n\"scenario.sensor.range_sigma_m\" = [0.01, 0.5]\n");
+  const auto scores = [&](const std::string& id) {
+    const Result flown = ldm("trial tiny.toml " + id + " -o r.json");
+    EXPECT_EQ(flown.code, 0) << flown.error;
+    const std::string text = folder_.read("r.json");
+    const std::size_t begin = text.find("\"scores\"");
+    return text.substr(begin, text.find("\"timing\"") - begin);
+  };
+  EXPECT_NE(scores("still8.circular_buffer.p01.s001"), scores("still8.circular_buffer.p02.s001"));
+  EXPECT_NE(error_with("30", "30\n[set]\n\"scenario.sensor.rnge_m\" = 7")
+                .find("sensor.rnge_m = 7: allowed: a key that scenarios have; did you mean "
+                      "sensor.range_m?"),
+            std::string::npos);
+  EXPECT_NE(error_with("30", "30\n[sweep.axes]\n\"scenario.uav.kind\" = [\"flight\"]"), "");
+}
+
 TEST_F(FlightStudyTest, RecordsTheSameFlightTwiceButForTheTimes) {
   const std::string first = record("still8.circular_buffer.s002");
   EXPECT_EQ(first, record("still8.circular_buffer.s002"));
@@ -167,6 +193,12 @@ TEST_F(FlightStudyTest, FliesOnceWithALog) {
   EXPECT_GT(lines(folder_.read("flown/obstacles.csv")), 8U * 20U);
   EXPECT_GT(lines(folder_.read("flown/plans.csv")), 16U * 20U);
   EXPECT_NE(folder_.read("flown/summary.json").find("\"scores\""), std::string::npos);
+  const Result noisy =
+      ldm("fly circular_buffer still8 --seed 2 -o noisy --set scenario.sensor.range_sigma_m=0.5");
+  EXPECT_EQ(noisy.code, 0) << noisy.error;
+  EXPECT_NE(folder_.read("noisy/flight.csv"), samples);
+  expect_bad("fly circular_buffer still8 -o flown --set scenario.sensor.range_sigma_m=99",
+             "--set: scenario: sensor.range_sigma_m = 99: allowed: a number in [0, 10]");
   expect_bad("fly nobody still8 -o flown", "unknown arm nobody: allowed: blind, ");
   expect_bad("fly ldm nowhere -o flown", "unknown world nowhere: allowed: ");
   expect_bad("fly ldm still8 -o flown --set flight.delay_s=2",

@@ -83,6 +83,10 @@ TEST_F(PluginProgram, AMapThatIsNoneFailsItsTrial) {
     EXPECT_NE(record.find(message), std::string::npos) << record;
     EXPECT_EQ(record.find("\"scores\""), std::string::npos) << method;
   }
+  const Result flown = ldm("fly wild_label still8 -o f --set particles.count=500" + plugin);
+  EXPECT_EQ(flown.code, 1);
+  EXPECT_NE(flown.error.find("wild_label, frame 2: map.labels[8] = 999"), std::string::npos)
+      << flown.error;
   const Result picture =
       ldm("render wild_label scenario1 --frame 3 -o p.png --set particles.count=500" + plugin);
   EXPECT_EQ(picture.code, 1);
