@@ -48,7 +48,7 @@ cxx_sources = git ls-files --cached --others --exclude-standard '*.h' '*.cpp'
 help: ## list the targets
 	@echo "Usage: make TARGET [VARIABLE=value ...]"; echo; \
 	sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r target text; do \
-	  printf '  %-14s %s\n' "$$target" "$$text"; done; \
+	  printf '  %-15s %s\n' "$$target" "$$text"; done; \
 	echo; sed -n 's/^#: //p' $(MAKEFILE_LIST)
 #: Variables
 #:   STUDY=name     which study             SEEDS=n   replicates, instead of the study's number
@@ -59,6 +59,8 @@ help: ## list the targets
 #:   SLURM=1        trials over Slurm, as an array of SHARDS=n (4) jobs with CPUS=n (1) each;
 #:                  SBATCH_FLAGS="--time=2:00:00 ..." more options of sbatch: docs/studies.md
 #:   TRIAL_SECONDS=n  after so long a trial is ended (default: a multiple of its estimate)
+#:   RESULTS=folder instead of results/     LDM=path  a program that was built elsewhere
+#:   STAGE=name     one stage of make conditions
 #:   REV=revision   of git, to compare the speed with: docs/benchmarks.md
 #:   FUZZ_SECONDS=n of each fuzzer (600)
 
@@ -103,7 +105,7 @@ build: $(BUILD)/Makefile ## build everything into build/
 # A program given as LDM=path is taken as it is.
 .PHONY: program
 ifeq ($(origin LDM),file)
-program: $(BUILD)/Makefile
+program: $(BUILD)/Makefile ## build the program alone
 	@$(call compile,ldm_program)
 else
 program:
@@ -193,7 +195,7 @@ equations: ## print where each equation of the paper is in plain words, in the f
 	@$(PYTHON) tests/equations.py
 
 .PHONY: style
-style: $(BUILD)/Makefile ## check layout (clang-format) and code (clang-tidy)
+style: $(BUILD)/Makefile ## check layout (clang-format), and code but for experiments/ and tests/ (clang-tidy)
 	$(cxx_sources) | xargs clang-format-14 --dry-run -Werror
 	@cmake -S . -B $(BUILD) --log-level=NOTICE > /dev/null  # sources come and go
 	@$(PYTHON) tests/tidy.py $(BUILD) --jobs '$(JOBS)'

@@ -10,7 +10,8 @@
 
 namespace ldm {
 
-/// Moves the occupancy of each cluster by its velocity times dt, in the way of SubVoxelMotion.
+/// Moves the occupancy of each cluster by its velocity times dt, in the way of SubVoxelMotion; a
+/// cluster slower than `prediction.min_speed` stays.
 ///
 /// Deviation: Fig. 3 shows moves by whole voxels only; at 10 Hz a cluster covers less than one. By
 /// default (`residual`) the rest that is not moved yet stays with the cluster, and passes to the

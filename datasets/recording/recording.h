@@ -11,10 +11,9 @@
 namespace datasets {
 
 /// A folder with velodyne/ is KITTI's, one with velodyne_points/ a raw recording of KITTI's, one
-/// with
-/// *.pcd files PCD's, one with *.bin files nuScenes'; *.bag, *.mcap, *.db3 and folders of these are
-/// bags, *.pcap and *.pcapng recordings of a network; NAME.rawlog is our own log if NAME.log.toml
-/// stands beside it, else an MRPT log. None for anything else.
+/// with *.pcd files PCD's, one with *.bin files nuScenes'; *.bag, *.mcap, *.db3 and folders of
+/// these are bags, *.pcap and *.pcapng recordings of a network; NAME.rawlog is our own log if
+/// NAME.log.toml stands beside it, else an MRPT log. None for anything else.
 std::optional<RecordingFormat> recognised_format(const std::filesystem::path& path);
 
 /// That of the options, or recognised.
@@ -24,7 +23,7 @@ RecordingFormat format_of(const std::filesystem::path& path, const RecordingOpti
 /// A recording's frames come in order of time, filtered as `options.input` says; a scan with the
 /// time of the one before is left out and counted. A log of our own is taken as it is, whatever
 /// `options.input` says. Memory does not grow with the length of the recording, but for the names
-/// in a folder of PCD files.
+/// in a folder of scans.
 ///
 /// `Frame::index` is the number of the scan in the recording: frames left out leave gaps.
 /// @throws ldm::InvalidInput as its readers do; if the format is not recognised; from `next` also

@@ -12,8 +12,8 @@ namespace datasets {
 
 /// Where the poses of a recording come from.
 enum class PoseSource {
-  kLog,       ///< the trajectory file, or an MRPT log's CObservationRobotPose
-  kOdometry,  ///< an MRPT log's CObservationOdometry
+  kLog,       ///< the trajectory file, a bag's TF or poses, an MRPT log's CObservationRobotPose
+  kOdometry,  ///< a bag's nav_msgs/Odometry rather than its TF, an MRPT log's CObservationOdometry
   kStill,     ///< nowhere: the vehicle stands still at the world's origin
 };
 inline constexpr std::string_view kPoseSourceNames[] = {"log", "odometry", "still"};
