@@ -6,6 +6,8 @@
 
 #include "experiments/method/map_check.h"
 
+#include "experiments/method/sees_truth.h"
+
 namespace experiments {
 namespace {
 
@@ -44,7 +46,7 @@ class MappedSight final : public Sight {
       : name_(method.name), trust_(trust), mapper_(method.create(parameters)) {}
 
   void see(const datasets::Frame& frame) override {
-    mapper_->update(frame.scan);
+    update(*mapper_, frame);
     mapper_->read(map_);
     check_map(map_, name_, frame.index);
   }

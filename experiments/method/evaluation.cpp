@@ -1,11 +1,13 @@
 #include "experiments/method/evaluation.h"
 
+#include <Eigen/Dense>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "experiments/method/map_check.h"
+#include "experiments/method/sees_truth.h"
 #include "experiments/metrics/matching.h"
 #include "experiments/metrics/truth_grid.h"
 
@@ -23,6 +25,7 @@ class Scorer {
     grid_.fill(*frame.truth, map.window, map.resolution);
     tallies_->occupancy.add(map, grid_);
     tallies_->ghosts.add(frame.scan.time, map, grid_);
+    tallies_->movers.add_returns(frame, map, grid_);
     if (velocities_) add_velocities(frame, map);
   }
 
@@ -44,6 +47,7 @@ class Scorer {
  private:
   void add_velocities(const datasets::Frame& frame, const ldm::LocalMap& map) {
     const Matching matching = match(map, grid_);
+    tallies_->movers.add_clusters(*frame.truth, map, matching);
     for (std::size_t i = 0; i < matching.objects.size(); ++i) {
       const datasets::ObjectState& object = frame.truth->objects[i];
       const Matching::Object& matched = matching.objects[i];
@@ -53,12 +57,15 @@ class Scorer {
                        .in_map = matched.in_map,
                        .visible = matched.visible,
                        .true_velocity = object.velocity,
-                       .velocity = {}};
+                       .velocity = {},
+                       .covariance = {}};
       std::optional<std::int64_t> track;
       if (matched.cluster) {
         const ldm::Cluster& cluster = map.clusters[*matched.cluster];
         seen.velocity = cluster.velocity.cast<double>();
         if (cluster.id != 0) track = cluster.id;
+        const Eigen::Matrix2d covariance = cluster.velocity_covariance.cast<double>();
+        if (covariance.determinant() > 0) seen.covariance = covariance;
       }
       tallies_->velocity.add(seen);
       tallies_->identity.add({seen.object, seen.time, seen.in_map, seen.visible, track});
@@ -113,7 +120,7 @@ MethodEvaluation& MethodEvaluation::operator=(MethodEvaluation&&) noexcept = def
 void MethodEvaluation::add(const datasets::Frame& frame) {
   State& state = *state_;
   state.result.clock.start_frame();
-  state.mapper->update(frame.scan, &state.result.clock);
+  update(*state.mapper, frame, &state.result.clock);
   state.result.clock.end_frame();
   state.mapper->read(state.map);
   check_map(state.map, state.name, frame.index);

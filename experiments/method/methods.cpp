@@ -4,12 +4,14 @@
 #include <set>
 #include <string>
 
+#include "baselines/centroid_kalman.h"
 #include "baselines/circular_buffer.h"
 #include "baselines/circular_buffer_pf.h"
 #include "baselines/current_scan.h"
 #include "baselines/empty_map.h"
 #include "baselines/octomap.h"
 #include "datasets/files/text.h"
+#include "experiments/method/exact_positions.h"
 #include "ldm/local_dynamic_map.h"
 #include "ldm/objects/object_ldm.h"
 #include "ldm/plain/local_dynamic_map.h"
@@ -19,6 +21,28 @@ namespace {
 
 using ldm::create;
 
+/// object_ldm that lacks one of its ingredients.
+template <bool ldm::Ingredients::*left_out>
+std::unique_ptr<ldm::Mapper> create_without(const ldm::Parameters& parameters) {
+  ldm::Ingredients others;
+  others.*left_out = false;
+  return std::make_unique<ldm::ObjectLdm>(parameters, others);
+}
+
+/// Velocities to centimetres a second move occupancy by parts of a voxel; what stands stays put.
+Method object_ldm(std::string_view name, std::string_view help,
+                  std::unique_ptr<ldm::Mapper> (*create)(const ldm::Parameters&)) {
+  return {
+      .name = name,
+      .help = help,
+      .finds_clusters = true,
+      .parameters = {"map", "sensor_model", "survival", "prediction", "clusters.occupied_above"},
+      .overrides = {{"sensor_model.log_odds_max", "1.0"},
+                    {"prediction.sub_voxel", "trilinear"},
+                    {"prediction.min_speed_mps", "0.1"}},
+      .create = create};
+}
+
 std::deque<Method>& table() {
   static std::deque<Method> rows = {
       {.name = "ldm",
@@ -27,16 +51,9 @@ std::deque<Method>& table() {
        .parameters = {"map", "sensor_model", "survival", "prediction", "particles", "clusters",
                       "execution"},
        .create = create<ldm::LocalDynamicMap>},
-      // Velocities to centimetres a second move occupancy by parts of a voxel; what stands stays
-      // put.
-      {.name = "object_ldm",
-       .help = "the map of ldm, moved by objects that are followed by their returns",
-       .finds_clusters = true,
-       .parameters = {"map", "sensor_model", "survival", "prediction", "clusters.occupied_above"},
-       .overrides = {{"sensor_model.log_odds_max", "1.0"},
-                     {"prediction.sub_voxel", "trilinear"},
-                     {"prediction.min_speed_mps", "0.1"}},
-       .create = create<ldm::ObjectLdm>},
+      object_ldm("object_ldm",
+                 "the map of ldm, moved by objects that are followed by their returns",
+                 create<ldm::ObjectLdm>),
       {.name = "circular_buffer",
        .help = "hits and misses accumulated in a circular buffer ([11] of the paper)",
        .parameters = {"map", "sensor_model"},
@@ -78,6 +95,16 @@ std::deque<Method>& table() {
        .help = "only the voxels hit by the current scan are occupied: no memory",
        .parameters = {"map", "sensor_model"},
        .create = create<baselines::CurrentScan>},
+      {.name = "centroid_kalman",
+       .help = "current_scan with Euclidean clusters, each followed by one Kalman filter",
+       .finds_clusters = true,
+       .parameters = {"map", "sensor_model", "clusters.static_below_mps"},
+       .create = create<baselines::CentroidKalman>},
+      {.name = "exact_positions",
+       .help = "current_scan with the filter of object_ldm, told where objects are: an oracle",
+       .finds_clusters = true,
+       .parameters = {"map", "sensor_model", "clusters.static_below_mps"},
+       .create = create<ExactPositions>},
       {.name = "empty_map",
        .help = "knows nothing: every voxel is unknown; shows which scores silence wins",
        .parameters = {"map"},
@@ -89,6 +116,21 @@ std::deque<Method>& table() {
        .parameters = {"map", "sensor_model", "survival", "prediction", "particles", "clusters",
                       "execution.seed"},
        .create = create<ldm::plain::LocalDynamicMap>},
+      // What each ingredient brings: the study `objects`.
+      object_ldm("object_ldm_without_margin", "object_ldm, blind beyond the map's border",
+                 create_without<&ldm::Ingredients::margin>),
+      object_ldm("object_ldm_without_outline", "object_ldm that follows centres alone",
+                 create_without<&ldm::Ingredients::outline>),
+      object_ldm("object_ldm_without_slices", "object_ldm whose columns reach from bottom to top",
+                 create_without<&ldm::Ingredients::slices>),
+      object_ldm("object_ldm_without_edges", "object_ldm that knows no edges of objects",
+                 create_without<&ldm::Ingredients::edges>),
+      object_ldm("object_ldm_without_centre", "object_ldm that follows outlines alone",
+                 create_without<&ldm::Ingredients::centre>),
+      object_ldm("object_ldm_without_manoeuvres", "object_ldm with one Kalman filter an object",
+                 create_without<&ldm::Ingredients::manoeuvres>),
+      object_ldm("object_ldm_without_one_return", "object_ldm that occupies voxels as ldm does",
+                 create_without<&ldm::Ingredients::one_return>),
   };
   return rows;
 }

@@ -10,7 +10,10 @@ void IdentityTally::add(const Sighting& seen) {
     stays_.erase(found);
     return;
   }
-  Stay& stay = stays_[seen.object];
+  const auto [place, entered] = stays_.try_emplace(seen.object);
+  Stay& stay = place->second;
+  if (entered) stay.entered = seen.time;
+  stay.last_time = seen.time;
   if (!seen.visible && stay.last) {
     hidden_matched_.add(seen.track ? 1 : 0);
     if (!stay.before) stay.before = stay.last;
@@ -35,10 +38,17 @@ void IdentityTally::judge(Stay& stay, const Sighting& seen) {
   stay.ended.reset();
 }
 
-void IdentityTally::end_stay(Stay& stay) {
+void IdentityTally::end_stay(const Stay& stay) {
   if (stay.tracks.empty()) return;
+  all_switches_ += stay.switches;
+  seconds_ += stay.last_time - stay.entered;
   tracks_.add(static_cast<double>(stay.tracks.size()));
   switches_.add(static_cast<double>(stay.switches));
+}
+
+std::optional<double> IdentityTally::switches_per_minute() const {
+  if (seconds_ == 0) return {};
+  return static_cast<double>(all_switches_) / (seconds_ / 60);
 }
 
 void IdentityTally::finish() {

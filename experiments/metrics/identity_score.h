@@ -36,6 +36,8 @@ class IdentityTally {
   const Mean& tracks() const { return tracks_; }
   /// How often the track of such a stay changed from one matched frame to the next.
   const Mean& switches() const { return switches_; }
+  /// The same over all stays, a minute in which an object was in the map; none of no time.
+  std::optional<double> switches_per_minute() const;
   /// 1 per occlusion with the same track before and after, 0 per other one.
   const Mean& kept() const { return kept_; }
   /// 1 per frame of an occlusion with a matched cluster, 0 per other such frame.
@@ -44,7 +46,8 @@ class IdentityTally {
  private:
   struct Stay {
     std::set<std::int64_t> tracks;
-    std::optional<std::int64_t> last;  ///< of the last matched frame
+    std::optional<std::int64_t> last;   ///< of the last matched frame
+    double entered = 0, last_time = 0;  ///< [s]
     std::int64_t switches = 0;
     std::optional<std::int64_t> before;  ///< the occlusion; set until it is judged
     std::optional<double> ended;         ///< when the object came back into view [s]
@@ -52,9 +55,11 @@ class IdentityTally {
 
   void follow(Stay& stay, const Sighting& seen);
   void judge(Stay& stay, const Sighting& seen);
-  void end_stay(Stay& stay);
+  void end_stay(const Stay& stay);
 
   std::map<std::int32_t, Stay> stays_;
+  std::int64_t all_switches_ = 0;
+  double seconds_ = 0;  // of all stays with a track
   Mean tracks_, switches_, kept_, hidden_matched_;
 };
 

@@ -1,5 +1,7 @@
 #include "experiments/metrics/scores.h"
 
+#include <numeric>
+
 namespace experiments {
 namespace {
 
@@ -76,6 +78,35 @@ Value static_steady(const Tallies& t) {
 Value dynamic_steady(const Tallies& t) {
   return t.velocity.steady_error(true).value();
 }
+Value precision_near(const Tallies& t) {
+  const std::int64_t occupied = t.occupancy.true_positives + t.occupancy.case2;
+  return ratio(occupied - t.occupancy.case2_grown, occupied);
+}
+Value mover_voxels(const Tallies& t) {
+  return percent(t.movers.voxels_found().value());
+}
+Value movers_called_dynamic(const Tallies& t) {
+  return percent(t.movers.called_dynamic().value());
+}
+Value false_movers(const Tallies& t) {
+  return t.movers.false_movers().value();
+}
+Value static_error_p95(const Tallies& t) {
+  return t.velocity.static_error_quantile(0.95);
+}
+Value recovery(const Tallies& t) {
+  const std::vector<double>& times = t.velocity.recoveries();
+  return ratio(std::accumulate(times.begin(), times.end(), 0.0), static_cast<double>(times.size()));
+}
+Value recovery_p90(const Tallies& t) {
+  return quantile(t.velocity.recoveries(), 0.9);
+}
+Value in_ellipse(const Tallies& t) {
+  return percent(t.velocity.in_ellipse().value());
+}
+Value switches_per_minute(const Tallies& t) {
+  return t.identity.switches_per_minute();
+}
 Value time_to_converge(const Tallies& t) {
   return t.velocity.time_to_converge().value();
 }
@@ -110,22 +141,31 @@ constexpr Score kScores[] = {
     {"case2_grown_voxels", case2_grown},
     {"mixed_voxels_per_frame", mixed},
     {"precision", precision},
+    {"precision_near", precision_near},
     {"recall", recall},
     {"f1", f1},
     {"iou_visible", iou_visible},
     {"brier", brier},
+    {"mover_voxels_found_pct", mover_voxels},
     {"ghost_voxels_per_frame", ghosts},
     {"seconds_to_clear", time_to_clear},
     {"static_velocity_error_mps", static_error},
+    {"static_velocity_error_p95_mps", static_error_p95},
     {"dynamic_velocity_error_mps", dynamic_error},
     {"static_velocity_error_steady_mps", static_steady},
     {"dynamic_velocity_error_steady_mps", dynamic_steady},
+    {"recovery_s", recovery},
+    {"recovery_p90_s", recovery_p90},
+    {"velocity_in_ellipse_pct", in_ellipse},
     {"time_to_converge_s", time_to_converge},
     {"stays_not_converged_pct", not_converged},
     {"objects_missed_pct", missed},
     {"clusters_without_object_per_frame", clusters_without},
+    {"movers_called_dynamic_pct", movers_called_dynamic},
+    {"false_movers_per_frame", false_movers},
     {"tracks_per_stay", tracks},
     {"track_switches_per_stay", track_switches},
+    {"track_switches_per_minute", switches_per_minute},
     {"occlusions_kept_pct", occlusions_kept},
     {"hidden_with_cluster_pct", hidden_matched},
 };

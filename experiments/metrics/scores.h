@@ -6,6 +6,7 @@
 
 #include "experiments/metrics/ghost_score.h"
 #include "experiments/metrics/identity_score.h"
+#include "experiments/metrics/mover_score.h"
 #include "experiments/metrics/occupancy_score.h"
 #include "experiments/metrics/velocity_score.h"
 
@@ -16,6 +17,7 @@ struct Tallies {
   GhostTally ghosts;
   VelocityTally velocity;  ///< stays empty for a method without clusters
   IdentityTally identity;  ///< the same
+  MoverTally movers;       ///< of such a method the occupancy alone
 };
 
 /// One row. The value is absent where the score is not defined.

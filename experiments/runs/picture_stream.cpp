@@ -1,6 +1,7 @@
 #include "experiments/runs/picture_stream.h"
 
 #include "experiments/method/map_check.h"
+#include "experiments/method/sees_truth.h"
 #include "experiments/pictures/map_picture.h"
 #include "experiments/runs/run_summary.h"
 
@@ -36,7 +37,7 @@ PictureStream::PictureStream(const MethodOnInput& request, const DataFolders& fo
 
 bool PictureStream::next() {
   if (!source_->next(frame_)) return false;
-  mapper_->update(frame_.scan);
+  update(*mapper_, frame_);
   mapper_->read(map_);
   check_map(map_, request_.method, frame_.index);
   colour_of_ = colours_.next(frame_.scan.time, map_.clusters);

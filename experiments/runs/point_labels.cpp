@@ -1,12 +1,12 @@
 #include "experiments/runs/point_labels.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <fstream>
 #include <optional>
 
 #include "datasets/files/partial_file.h"
+#include "datasets/objects_hit.h"
 #include "experiments/metrics/velocity_score.h"
 
 namespace experiments {
@@ -30,11 +30,6 @@ PointLabel label_at(const Eigen::Vector3d& p, const ldm::LocalMap& map) {
   return cluster.dynamic ? moving(cluster.id) : kStaticPoint;
 }
 
-bool contains(const datasets::ObjectState& object, const Eigen::Vector3d& p) {
-  return std::any_of(object.solids.begin(), object.solids.end(),
-                     [&](const datasets::Solid& solid) { return solid.contains(p); });
-}
-
 }  // namespace
 
 bool is_moving(PointLabel label) {
@@ -53,18 +48,14 @@ std::vector<PointLabel> labels_of(const datasets::Frame& frame, const ldm::Local
 }
 
 std::vector<PointLabel> true_labels(const datasets::Frame& frame) {
-  constexpr double kIntoObject = 1e-4;  // [m]: hits are floats on the surface
-  const Eigen::Vector3d& sensor = frame.scan.T_world_sensor.translation;
   std::vector<PointLabel> labels;
-  for (const ldm::Point& hit : frame.truth->noise_free_hits) {
-    const Eigen::Vector3d p = hit.cast<double>();
-    const Eigen::Vector3d inside = p + kIntoObject * (p - sensor).normalized();
-    PointLabel label = kStaticPoint;
-    for (const datasets::ObjectState& object : frame.truth->objects) {
-      if (object.velocity.norm() <= VelocityTally::kStanding || !contains(object, inside)) continue;
-      label = moving(object.id);
-    }
-    labels.push_back(label);
+  for (const std::int32_t owner :
+       datasets::objects_hit(*frame.truth, frame.scan.T_world_sensor.translation)) {
+    const bool moves =
+        owner >= 0 && frame.truth->objects[static_cast<std::size_t>(owner)].velocity.norm() >
+                          VelocityTally::kStanding;
+    labels.push_back(moves ? moving(frame.truth->objects[static_cast<std::size_t>(owner)].id)
+                           : kStaticPoint);
   }
   return labels;
 }

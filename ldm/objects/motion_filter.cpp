@@ -16,15 +16,7 @@ constexpr double kRestSigma = 0.001;                 // of a velocity at rest [m
 constexpr double kUnknownSpeed = 6;                  // standard deviation, per axis [m/s]
 constexpr double kUnlikely = 0.05;                   // a mode no ellipse of 95 % holds
 constexpr double kLeastProbability = 1e-6;           // of a mode: none is given up for ever
-
-double transition(std::size_t from, std::size_t to) {
-  if (from == to) return kStay[from];
-  double others = 0;
-  for (std::size_t mode = 0; mode < std::size(kTurnsTo); ++mode) {
-    if (mode != from) others += kTurnsTo[mode];
-  }
-  return (1 - kStay[from]) * kTurnsTo[to] / others;
-}
+constexpr std::size_t kOnlyMode = 2;                 // without manoeuvres
 
 void rest(MotionState& state) {
   const Eigen::Matrix2d position = state.covariance.topLeftCorner<2, 2>();
@@ -68,13 +60,26 @@ double correct(MotionState& state, const Eigen::Vector2d& position,
 
 }  // namespace
 
-MotionFilter::MotionFilter(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
+MotionFilter::MotionFilter(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance,
+                           bool manoeuvres)
+    : manoeuvres_(manoeuvres) {
   mixed_.mean << position, 0, 0;
   mixed_.covariance.topLeftCorner<2, 2>() = covariance;
   mixed_.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(kUnknownSpeed * kUnknownSpeed);
   modes_.fill({mixed_, 1.0 / kModes});
   modes_[0].state.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(kRestSigma *
                                                                               kRestSigma);
+}
+
+/// Probability of a change of mode from view to view.
+double MotionFilter::transition(std::size_t from, std::size_t to) const {
+  if (!manoeuvres_) return to == kOnlyMode ? 1 : 0;
+  if (from == to) return kStay[from];
+  double others = 0;
+  for (std::size_t mode = 0; mode < kModes; ++mode) {
+    if (mode != from) others += kTurnsTo[mode];
+  }
+  return (1 - kStay[from]) * kTurnsTo[to] / others;
 }
 
 MotionState MotionFilter::mix(const std::array<double, kModes>& weights) const {
@@ -108,6 +113,11 @@ void MotionFilter::predict(double dt) {
       weights[from] = transition(from, to) * modes_[from].probability;
       next[to].probability += weights[from];
     }
+    if (next[to].probability == 0) {
+      next[to] = modes_[to];
+      next[to].probability = 0;
+      continue;
+    }
     for (double& weight : weights) weight /= next[to].probability;
     next[to].state = mix(weights);
     if (to == 0) {
@@ -130,7 +140,7 @@ void MotionFilter::update(const Eigen::Vector2d& position, const Eigen::Matrix2d
   }
   double kept = 0;
   for (Mode& mode : modes_) {
-    mode.probability = std::max(mode.probability / total, kLeastProbability);
+    mode.probability = std::max(mode.probability / total, manoeuvres_ ? kLeastProbability : 0);
     kept += mode.probability;
   }
   std::array<double, kModes> weights{};

@@ -19,7 +19,9 @@ struct MotionState {
 class MotionFilter {
  public:
   /// Found at `position` with that covariance [m, m^2]; nothing is known of its velocity.
-  MotionFilter(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
+  /// @param manoeuvres else all is moved as by one Kalman filter that accelerates by 2 m/s^2
+  MotionFilter(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance,
+               bool manoeuvres = true);
 
   /// dt [s] later.
   void predict(double dt);
@@ -38,8 +40,10 @@ class MotionFilter {
     MotionState state;
     double probability = 0;
   };
+  double transition(std::size_t from, std::size_t to) const;
   MotionState mix(const std::array<double, kModes>& weights) const;
 
+  bool manoeuvres_;
   std::array<Mode, kModes> modes_;
   MotionState mixed_;
 };

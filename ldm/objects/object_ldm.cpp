@@ -14,14 +14,15 @@ constexpr double kAround = 1.5;  // beyond the map's border returns are followed
 
 }  // namespace
 
-ObjectLdm::ObjectLdm(const Parameters& parameters)
+ObjectLdm::ObjectLdm(const Parameters& parameters, const Ingredients& ingredients)
     : parameters_(checked(parameters)),
+      ingredients_(ingredients),
       log_odds_(parameters.map.voxels, 0.0F),
       flags_(parameters.map, parameters.sensor_model.no_returns, parameters.survival.enabled),
       prediction_(parameters.map, parameters.sensor_model, parameters.prediction),
       occupancy_(parameters.map, parameters.sensor_model, parameters.survival),
       clustering_(parameters.map, parameters.clusters),
-      tracker_(parameters.map.resolution),
+      tracker_(parameters.map.resolution, ingredients),
       cluster_at_(log_odds_.index().count(), -1) {}
 
 void ObjectLdm::update(const Scan& scan, StageListener* listener) {
@@ -45,7 +46,7 @@ void ObjectLdm::update(const Scan& scan, StageListener* listener) {
 
   stage("tracking");
   track(scan);
-  occupy_seen();
+  if (ingredients_.one_return) occupy_seen();
 
   stage("clustering");  // Sec. 3.5
   clustering_.find(log_odds_);
@@ -56,10 +57,9 @@ void ObjectLdm::update(const Scan& scan, StageListener* listener) {
 void ObjectLdm::track(const Scan& scan) {
   const double resolution = parameters_.map.resolution;
   const VoxelBox& window = log_odds_.index().window();
-  const Eigen::Array3d low =
-      window.origin.cast<double>() * resolution - Eigen::Vector3d::Constant(kAround);
-  const Eigen::Array3d high = (window.origin + window.size).cast<double>() * resolution +
-                              Eigen::Vector3d::Constant(kAround);
+  const Eigen::Vector3d around = Eigen::Vector3d::Constant(ingredients_.margin ? kAround : 0);
+  const Eigen::Array3d low = window.origin.cast<double>() * resolution - around;
+  const Eigen::Array3d high = (window.origin + window.size).cast<double>() * resolution + around;
   points_.clear();
   for (const Point& p : scan.points) {
     const Eigen::Vector3d world = scan.T_world_sensor * p.cast<double>();

@@ -22,7 +22,7 @@ class ObjectLdm final : public Mapper {
  public:
   /// Reads `map`, `sensor_model`, `survival`, `prediction` and `clusters.occupied_above`.
   /// @throws InvalidInput naming the first parameter out of its range.
-  explicit ObjectLdm(const Parameters& parameters);
+  explicit ObjectLdm(const Parameters& parameters, const Ingredients& ingredients = {});
 
   void update(const Scan& scan, StageListener* listener = nullptr) override;
   void read(LocalMap& map) const override;
@@ -35,6 +35,7 @@ class ObjectLdm final : public Mapper {
   void set_clusters();
 
   Parameters parameters_;
+  Ingredients ingredients_;
   std::optional<double> time_;  // of the last scan [s]
   RingBuffer<float> log_odds_;
   MeasurementFlags flags_;

@@ -67,7 +67,7 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
   for (std::size_t s = 0; s < segments_.count(); ++s) {
     Segment segment;
     for (const std::size_t i : segments_.members(s)) segment.points.push_back(points[i]);
-    segment.view = view_of(sensor_, segment.points);
+    segment.view = view_of(sensor_, segment.points, ingredients_.slices);
     if (segment.view.slices.empty()) continue;
     segment.claims = claims(segment.view);
     segments.push_back(std::move(segment));
@@ -102,7 +102,8 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
   objects_ = std::move(kept);
   for (Segment& segment : fresh) {
     View view = view_of_all(segment.points, false);
-    objects_.emplace_back(++last_id_, time, std::move(segment.points), std::move(view));
+    objects_.emplace_back(++last_id_, time, std::move(segment.points), std::move(view),
+                          ingredients_);
   }
 }
 
@@ -211,9 +212,9 @@ std::optional<std::size_t> ObjectTracker::lost_one(const View& view) const {
 
 /// Where an object was cut off another in one segment, its ends are not known.
 View ObjectTracker::view_of_all(std::span<const Eigen::Vector3d> points, bool shared) const {
-  View view = view_of(sensor_, points);
+  View view = view_of(sensor_, points, ingredients_.slices);
   panorama_.mark_edges(view);
-  if (shared) {
+  if (shared || !ingredients_.edges) {
     for (Slice& slice : view.slices) slice.edges = {false, false};
   }
   return view;

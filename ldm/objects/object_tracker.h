@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ldm/objects/ingredients.h"
 #include "ldm/objects/panorama.h"
 #include "ldm/objects/segments.h"
 #include "ldm/objects/tracked_object.h"
@@ -17,7 +18,8 @@ namespace ldm {
 class ObjectTracker {
  public:
   /// @param reach [m]: returns nearer than this belong together; for instance the map's resolution
-  explicit ObjectTracker(double reach) : reach_(reach), segments_(reach) {}
+  explicit ObjectTracker(double reach, const Ingredients& ingredients = {})
+      : reach_(reach), ingredients_(ingredients), segments_(reach) {}
 
   /// Take the returns `points` (world [m]) of a scan at `time` [s], never decreasing, from
   /// `sensor`. Those of an object should be whole: cut them off well outside of what is of
@@ -42,6 +44,7 @@ class ObjectTracker {
   View view_of_all(std::span<const Eigen::Vector3d> points, bool shared) const;
 
   double reach_;
+  Ingredients ingredients_;
   Segments segments_;
   Panorama panorama_;
   struct Past {

@@ -24,6 +24,7 @@ constexpr double kMostMisfit = 25;     // variances
 constexpr double kUsualMisfit = 0.5;   // variances: above it a fit becomes less certain,
 constexpr double kMisfitPower = 3;     // so quickly
 constexpr double kCentreInCost = 0.1;  // against the misfit
+constexpr double kNoCentre = 1;        // its inverse variance where it is left out [1/m^2]
 constexpr int kIterations = 6;
 constexpr double kConverged = 1e-4;  // [m]
 
@@ -155,16 +156,17 @@ Outline outline_of(const View& view) {
   return outline;
 }
 
-Displacement registered(const Outline& outline, const View& view, const Eigen::Vector2d& guess) {
+Displacement registered(const Outline& outline, const View& view, const Eigen::Vector2d& guess,
+                        const Ingredients& ingredients) {
   const Eigen::Vector2d centre = view.centre() - outline.view.centre();
-  const double of_centre = centre_information(view, outline.view);
+  const double of_centre = ingredients.centre ? centre_information(view, outline.view) : kNoCentre;
   const Eigen::Matrix2d prior = of_centre * Eigen::Matrix2d::Identity();
   Displacement d;
   d.value = guess;
   double scale = 4;  // of the bound: from coarse to fine
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     Step step(kCauchy * scale);
-    add_slices(outline, view, d.value, step);
+    if (ingredients.outline) add_slices(outline, view, d.value, step);
     d.misfit = step.misfit();
     d.information =
         step.information() / std::max(1.0, std::pow(d.misfit / kUsualMisfit, kMisfitPower)) + prior;

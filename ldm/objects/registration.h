@@ -2,6 +2,7 @@
 /// How far an object has moved between two views of it (no paper section; docs/objects.md).
 #include <vector>
 
+#include "ldm/objects/ingredients.h"
 #include "ldm/objects/view.h"
 
 namespace ldm {
@@ -33,6 +34,7 @@ struct Displacement {
 /// the same slice, each edge on the line of sight along its edge, and the centre where it has gone:
 /// Gauss-Newton with Cauchy's cost, from `guess` [m]. A misfit makes it less certain: what has
 /// turned has another outline, and then the centre decides. Cost: columns times spots.
-Displacement registered(const Outline& outline, const View& view, const Eigen::Vector2d& guess);
+Displacement registered(const Outline& outline, const View& view, const Eigen::Vector2d& guess,
+                        const Ingredients& ingredients = {});
 
 }  // namespace ldm

@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace ldm {
-namespace {
-
-const VoxelIndex kReach{1, 1, 2};  // of a cell to its neighbours [cells]
-
-}  // namespace
-
 void Segments::find(std::span<const Eigen::Vector3d> points) {
   fill_cells(points);
   connect_cells();
@@ -25,8 +19,8 @@ void Segments::fill_cells(std::span<const Eigen::Vector3d> points) {
     low = low.cwiseMin(voxel_at(p, edge_));
     high = high.cwiseMax(voxel_at(p, edge_));
   }
-  box_.origin = low - kReach;
-  box_.size = high + kReach - box_.origin + VoxelIndex::Ones();
+  box_.origin = low - reach_;
+  box_.size = high + reach_ - box_.origin + VoxelIndex::Ones();
   cell_at_.assign(box_.count(), -1);
   for (const Eigen::Vector3d& p : points) {
     const VoxelIndex v = voxel_at(p, edge_);
@@ -47,7 +41,7 @@ std::size_t Segments::root(std::size_t cell) {
 
 void Segments::connect_cells() {
   for (std::size_t c = 0; c < cells_.size(); ++c) {
-    const VoxelIndex low = cells_[c] - kReach, high = cells_[c] + kReach;
+    const VoxelIndex low = cells_[c] - reach_, high = cells_[c] + reach_;
     for (VoxelIndex v = low; v.z() <= high.z(); ++v.z()) {
       for (v.y() = low.y(); v.y() <= high.y(); ++v.y()) {
         for (v.x() = low.x(); v.x() <= high.x(); ++v.x()) {

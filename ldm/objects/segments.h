@@ -9,12 +9,14 @@
 
 namespace ldm {
 
-/// Groups of returns whose cells touch: cubes, and one may be empty between two above one another,
-/// as the rings of a LiDAR are farther apart than its columns.
+/// Groups of returns whose cells touch: cubes, and unless told otherwise one may be empty between
+/// two above one another, as the rings of a LiDAR are farther apart than its columns.
 class Segments {
  public:
   /// @param edge of a cell [m]
-  explicit Segments(double edge) : edge_(edge) {}
+  /// @param reach of a cell to those it touches, along x, y, z [cells]
+  explicit Segments(double edge, const VoxelIndex& reach = {1, 1, 2})
+      : edge_(edge), reach_(reach) {}
 
   /// Group `points` (world [m]). Cost: the points, and the cells of the box around them.
   void find(std::span<const Eigen::Vector3d> points);
@@ -33,6 +35,7 @@ class Segments {
   std::size_t root(std::size_t cell);
 
   double edge_;
+  VoxelIndex reach_;
   VoxelBox box_;                       // of cells, a margin included
   std::vector<std::int32_t> cell_at_;  // per place in the box its occupied cell, or -1
   std::vector<VoxelIndex> cells_;      // occupied ones

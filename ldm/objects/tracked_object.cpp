@@ -48,14 +48,15 @@ bool vacant(const std::vector<Eigen::Vector2d>& columns, double way, const Panor
 }  // namespace
 
 TrackedObject::TrackedObject(std::int64_t id, double time, std::vector<Eigen::Vector3d> points,
-                             View view)
-    : id_(id),
+                             View view, const Ingredients& ingredients)
+    : ingredients_(ingredients),
+      id_(id),
       since_(time),
       seen_(time),
       points_(std::move(points)),
       view_(std::move(view)),
       at_view_(view_.centre()),
-      filter_(at_view_, position_floor()),
+      filter_(at_view_, position_floor(), ingredients.manoeuvres),
       outline_(outline_of(view_)),
       at_outline_(at_view_) {}
 
@@ -82,8 +83,9 @@ double TrackedObject::distance(const Eigen::Vector2d& p) const {
 
 void TrackedObject::see(double time, std::vector<Eigen::Vector3d> points, View view) {
   // From where it should be, and from where its centre has gone: abrupt turns have two minima.
-  Displacement d = registered(outline_, view, position() - at_outline_);
-  const Displacement other = registered(outline_, view, view.centre() - outline_.view.centre());
+  Displacement d = registered(outline_, view, position() - at_outline_, ingredients_);
+  const Displacement other =
+      registered(outline_, view, view.centre() - outline_.view.centre(), ingredients_);
   if (other.cost < d.cost) d = other;
   filter_.update(at_outline_ + d.value, d.information.inverse() + position_floor());
 

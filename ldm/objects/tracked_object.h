@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ldm/objects/ingredients.h"
 #include "ldm/objects/motion_filter.h"
 #include "ldm/objects/panorama.h"
 #include "ldm/objects/registration.h"
@@ -14,7 +15,8 @@ namespace ldm {
 class TrackedObject {
  public:
   /// First seen at `time` [s] as `points` [m], which `view` shows.
-  TrackedObject(std::int64_t id, double time, std::vector<Eigen::Vector3d> points, View view);
+  TrackedObject(std::int64_t id, double time, std::vector<Eigen::Vector3d> points, View view,
+                const Ingredients& ingredients = {});
 
   std::int64_t id() const { return id_; }  ///< from 1, never used again
   double since() const { return since_; }  ///< first seen [s]
@@ -65,6 +67,7 @@ class TrackedObject {
   void take(double time, std::vector<Eigen::Vector3d> points, View view);
   void renew_outline();
 
+  Ingredients ingredients_;
   std::int64_t id_;
   double since_, seen_;
   std::int64_t views_ = 1, apart_ = 1;

@@ -20,13 +20,14 @@ struct Return {
   double z;
 };
 
-std::vector<Return> returns_of(const View& view, std::span<const Eigen::Vector3d> points) {
+std::vector<Return> returns_of(const View& view, std::span<const Eigen::Vector3d> points,
+                               bool slices) {
   std::vector<Return> returns;
   returns.reserve(points.size());
   for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector2d r = p.head<2>() - view.sensor;
     const double ahead = std::max(r.dot(view.axis), 1e-3);
-    returns.push_back({static_cast<int>(std::floor(p.z() / View::kSliceHeight)),
+    returns.push_back({slices ? static_cast<int>(std::floor(p.z() / View::kSliceHeight)) : 0,
                        r.dot(view.leftwards()) / ahead, r.norm(), p.z()});
   }
   std::sort(returns.begin(), returns.end(), [](const Return& a, const Return& b) {
@@ -89,7 +90,7 @@ Eigen::Vector2d View::centre() const {
   return sensor + (depth + kDepthOfWidth * width()) * (axis + middle * leftwards()).normalized();
 }
 
-View view_of(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector3d> points) {
+View view_of(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector3d> points, bool slices) {
   View view;
   view.sensor = sensor;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -98,7 +99,7 @@ View view_of(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector3d> poi
     view.range += (p.head<2>() - sensor).norm() / static_cast<double>(points.size());
   }
   if (sum.norm() > 0) view.axis = sum.normalized();
-  const std::vector<Return> returns = returns_of(view, points);
+  const std::vector<Return> returns = returns_of(view, points, slices);
   const auto [right, left] = std::minmax_element(
       returns.begin(), returns.end(), [](auto& a, auto& b) { return a.bearing < b.bearing; });
   view.right = right->bearing;

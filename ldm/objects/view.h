@@ -55,6 +55,8 @@ struct View {
 /// the spacing of a LiDAR of 1800 firings, 15 mm, or a sixtieth of the object, whichever is most.
 /// It holds its nearest return and those within 10 cm behind; level surfaces give none. Cost: n log
 /// n.
-View view_of(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector3d> points);
+/// @param slices else all is one slice
+View view_of(const Eigen::Vector2d& sensor, std::span<const Eigen::Vector3d> points,
+             bool slices = true);
 
 }  // namespace ldm

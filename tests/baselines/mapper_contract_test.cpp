@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "baselines/centroid_kalman.h"
 #include "baselines/circular_buffer.h"
 #include "baselines/circular_buffer_pf.h"
 #include "baselines/current_scan.h"
@@ -38,7 +39,7 @@ class MapperContract : public testing::Test {
   ldm::LocalMap map_;
 };
 using Mappers = testing::Types<Octomap, CircularBuffer, CircularBufferPf, CurrentScan,
-                               ldm::plain::LocalDynamicMap>;
+                               CentroidKalman, ldm::plain::LocalDynamicMap>;
 TYPED_TEST_SUITE(MapperContract, Mappers);
 
 /// One return `x`, `y`, `z` [m] from the sensor.

@@ -125,7 +125,8 @@ TEST_F(Program, CompletesWhatIsTyped) {
 }
 
 TEST_F(Program, CompletesFlights) {
-  EXPECT_EQ(ldm("complete fly o").out, "oracle\noracle_future\nobject_ldm\noctomap\n");
+  EXPECT_EQ(ldm("complete fly or").out, "oracle\noracle_future\n");
+  EXPECT_EQ(ldm("complete fly oc").out, "octomap\n");
   EXPECT_EQ(ldm("complete fly ldm reversing").out, "reversing_01\nreversing_03\n");
   EXPECT_EQ(ldm("complete fly ldm scenario").out, "") << "those are no worlds to fly through";
   EXPECT_EQ(ldm("complete fly ldm still8 --set trust.").out,

@@ -1,11 +1,12 @@
 """The yardstick of object velocities: Euclidean clusters of the points above the ground, nearest centroid, one
 constant-velocity Kalman filter. A method that loses to it is not finished.
 
-    /usr/bin/python3 tests/yardstick/constant_velocity.py DRIVE TRUTH.csv
+    /usr/bin/python3 tests/yardstick/constant_velocity.py DRIVE TRUTH.csv [RUN]
 
 reads a KITTI drive whose poses are the sensor's in a world with the ground at z = 0, and a truth as `ldm score` takes
 it, and prints how many frames of objects faster than 3 m/s are good: found, and |dv| < max(1 m/s, 25 %), from 0.3 s
-after the object came into view.
+after the object came into view. With RUN, the folder of an `ldm run` on the drive, its clusters are judged instead, in the
+same frames: of those whose centre is in the object's box, the one with most points.
 """
 
 from __future__ import annotations
@@ -94,6 +95,11 @@ class Tracker:
                         for c in range(len(found)) if c not in taken[1]]
 
 
+def inside_box(p: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """Which of the points (n, 2) are."""
+    return ((p > low) & (p < high)).all(axis=1)
+
+
 def read_drive(folder: Path) -> list[tuple[float, np.ndarray]]:
     """Time [s] and points (n, 3), world frame [m], of each scan."""
     times = np.loadtxt(folder / "times.txt")
@@ -103,7 +109,8 @@ def read_drive(folder: Path) -> list[tuple[float, np.ndarray]]:
     return [(t, p @ pose[:, :3].T + pose[:, 3]) for t, p, pose in zip(times, points, poses)]
 
 
-def judged(drive: list[tuple[float, np.ndarray]], truth: pd.DataFrame) -> pd.DataFrame:
+def judged(drive: list[tuple[float, np.ndarray]], truth: pd.DataFrame,
+           clusters: pd.DataFrame | None = None) -> pd.DataFrame:
     """A row for each frame of a fast object: its error [m/s] (NaN: not found) and whether that is good."""
     tracker = Tracker()
     since: dict[int, float] = {}
@@ -115,7 +122,7 @@ def judged(drive: list[tuple[float, np.ndarray]], truth: pd.DataFrame) -> pd.Dat
             low, high = (np.array([o.x, o.y]) + s * np.array([o.sx, o.sy]) / 2 + s * 0.2 for s in (-1, 1))
 
             def inside(p: np.ndarray) -> int:
-                return int(((p[:, :2] > low) & (p[:, :2] < high)).all(axis=1).sum())
+                return int(inside_box(p[:, :2], low, high).sum())
 
             if inside(points[near]) < 3:
                 continue
@@ -125,15 +132,22 @@ def judged(drive: list[tuple[float, np.ndarray]], truth: pd.DataFrame) -> pd.Dat
                 continue
             seen = [track for track in tracker.tracks if track.seen == time and inside(track.points) > 0]
             error = np.nan
-            if seen:
+            if clusters is not None:
+                found = clusters[(clusters.frame == frame) & (clusters.track > 0)]
+                found = found[inside_box(found[["x_m", "y_m"]].to_numpy(), low, high)]
+                if len(found):
+                    one = found.loc[found.points.idxmax()]
+                    error = np.hypot(one.vx_mps - o.vx, one.vy_mps - o.vy)
+            elif seen:
                 best = max(seen, key=lambda track: inside(track.points))
                 error = np.hypot(best.mean[2] - o.vx, best.mean[3] - o.vy)
             rows.append({"frame": frame, "id": int(o.id), "error": error, "good": error < max(1.0, speed / 4)})
     return pd.DataFrame(rows)
 
 
-def main(drive: str, truth: str) -> None:
-    rows = judged(read_drive(Path(drive)), pd.read_csv(truth))
+def main(drive: str, truth: str, run: str | None = None) -> None:
+    clusters = pd.read_csv(Path(run) / "clusters.csv") if run else None
+    rows = judged(read_drive(Path(drive)), pd.read_csv(truth), clusters)
     print(f"{len(rows)} frames of objects above 3 m/s: {100 * rows.good.mean():.1f} % good, "
           f"median error {rows.error.median():.2f} m/s, {int(rows.error.isna().sum())} not found")
 

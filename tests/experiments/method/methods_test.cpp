@@ -54,7 +54,11 @@ TEST(Methods, UnknownOneListsTheKnown) {
   EXPECT_EQ(message,
             "unknown method kalman: allowed: ldm, object_ldm, circular_buffer, "
             "circular_buffer_low_clamp, circular_buffer_pf, circular_buffer_pf_eq17, "
-            "circular_buffer_pf_free, octomap, current_scan, empty_map, plain_ldm");
+            "circular_buffer_pf_free, octomap, current_scan, centroid_kalman, exact_positions, "
+            "empty_map, "
+            "plain_ldm, object_ldm_without_margin, object_ldm_without_outline, "
+            "object_ldm_without_slices, object_ldm_without_edges, object_ldm_without_centre, "
+            "object_ldm_without_manoeuvres, object_ldm_without_one_return");
 }
 
 TEST(Methods, RefuseParametersTheyDoNotUse) {

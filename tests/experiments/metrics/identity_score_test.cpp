@@ -19,6 +19,22 @@ IdentityTally play(int frames, const std::function<void(int, Sighting&)>& change
   return tally;
 }
 
+/// 7 to 8 and back in 1.9 s in the map; a second object has no track and counts for nothing.
+TEST(IdentityScore, SwitchesAMinuteAreOverTheTimeInTheMap) {
+  IdentityTally tally;
+  for (int k = 0; k < 20; ++k) {
+    tally.add({.object = 3,
+               .time = 0.1 * k,
+               .in_map = true,
+               .visible = true,
+               .track = k < 5 || k >= 10 ? 7 : 8});
+    tally.add({.object = 4, .time = 0.1 * k, .in_map = true, .visible = true, .track = {}});
+  }
+  EXPECT_FALSE(tally.switches_per_minute());
+  tally.finish();
+  EXPECT_NEAR(*tally.switches_per_minute(), 2 / (1.9 / 60), 1e-9);
+}
+
 void hide(int k, int from, int to, Sighting& seen) {
   if (k >= from && k < to) seen.visible = false;
 }

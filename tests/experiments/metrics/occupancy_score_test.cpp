@@ -53,6 +53,7 @@ TEST_F(OccupancyScore, AccuracyIsTheShareOfVoxelsInTheirTrueState) {
 
 TEST_F(OccupancyScore, PrecisionRecallAndF1) {
   EXPECT_DOUBLE_EQ(score(tallies, "precision"), 1.0 / 3);
+  EXPECT_DOUBLE_EQ(score(tallies, "precision_near"), 2.0 / 3);
   EXPECT_DOUBLE_EQ(score(tallies, "recall"), 1.0 / 2);
   EXPECT_DOUBLE_EQ(score(tallies, "f1"), 2.0 / 5);
 }

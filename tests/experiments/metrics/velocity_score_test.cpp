@@ -1,4 +1,5 @@
 #include "experiments/metrics/velocity_score.h"
+#include "experiments/metrics/quantile.h"
 
 #include <gtest/gtest.h>
 
@@ -135,6 +136,57 @@ TEST(VelocityScore, ConvergenceIsOfDynamicObjects) {
   const VelocityTally tally = play(40, [](int, Observation& seen) { seen.dynamic = false; });
   EXPECT_FALSE(tally.time_to_converge().value());
   EXPECT_FALSE(tally.not_converged().value());
+}
+
+/// It turns at frame 30, and the estimate is right from frame 34 on, and once before.
+TEST(VelocityScore, RecoveryEndsWithTheFirstOfTwoGoodFrames) {
+  const VelocityTally tally = play(60, [](int k, Observation& seen) {
+    if (k >= 30) seen.true_velocity = Vector(-1, 0, 0);
+    if (k == 31 || k >= 34) seen.velocity = Vector(-0.85, 0, 0);
+  });
+  ASSERT_EQ(tally.recoveries().size(), 1u);
+  EXPECT_NEAR(tally.recoveries()[0], 0.4, 1e-9);
+}
+
+TEST(VelocityScore, ATurnThatIsNeverFollowedHasTheTimeUntilTheNext) {
+  const VelocityTally tally = play(60, [](int k, Observation& seen) {
+    if (k >= 20 && k < 35) seen.true_velocity = Vector(-1, 0, 0);  // 1.5 s
+    if (k >= 52) seen.true_velocity = Vector(-1, 0, 0);            // 0.7 s: tells nothing
+  });
+  // The second turn, back, is followed at once: the estimate never was another.
+  ASSERT_EQ(tally.recoveries().size(), 2u);
+  EXPECT_NEAR(tally.recoveries()[0], 1.5, 1e-9);
+  EXPECT_NEAR(tally.recoveries()[1], 0, 1e-9);
+}
+
+TEST(VelocityScore, TurnsOfWhatIsHiddenOrUnmatchedDoNotCount) {
+  const VelocityTally tally = play(60, [](int k, Observation& seen) {
+    if (k == 19) seen.visible = false;
+    if (k == 39) seen.velocity.reset();
+    if (k >= 20 && k < 40) seen.true_velocity = Vector(-1, 0, 0);
+  });
+  EXPECT_TRUE(tally.recoveries().empty());
+}
+
+TEST(VelocityScore, StaticErrorsHaveQuantiles) {
+  const VelocityTally tally = play(30, [](int k, Observation& seen) {
+    seen.dynamic = false;
+    seen.true_velocity.setZero();
+    seen.velocity = Vector(0.01 * (k - 19), 0, 0);  // from frame 20 on 0.01 to 0.1
+  });
+  EXPECT_NEAR(*tally.static_error_quantile(0.95), 0.1, 1e-12);
+  EXPECT_NEAR(*tally.static_error_quantile(0.5), 0.05, 1e-12);
+  EXPECT_FALSE(quantile({}, 0.5));
+}
+
+/// Of variance 0.01 m^2/s^2 along each axis, the ellipse reaches to 0.2448 m/s.
+TEST(VelocityScore, AnEllipseHoldsTheTruthUpToItsEdge) {
+  const VelocityTally tally = play(24, [](int k, Observation& seen) {
+    seen.velocity = Vector(1, k < 21 ? 0.244 : 0.246, 5);  // upwards counts for nothing
+    if (k != 23) seen.covariance = 0.01 * Eigen::Matrix2d::Identity();
+  });
+  EXPECT_EQ(tally.in_ellipse().count(), 3);
+  EXPECT_DOUBLE_EQ(*tally.in_ellipse().value(), 1.0 / 3);
 }
 
 }  // namespace

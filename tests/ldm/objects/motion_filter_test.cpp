@@ -113,5 +113,16 @@ TEST(MotionFilter, UnlikelyTurnsAreNotInTheLikelyCovariance) {
   EXPECT_GT(filter.velocity_covariance()(0, 0), 10 * likely);
 }
 
+/// A Kalman filter by hand: after two positions, as uncertain as the acceleration of 2 m/s^2 says.
+TEST(MotionFilter, WithoutManoeuvresItIsOneKalmanFilter) {
+  MotionFilter filter({0, 0}, kMillimetres, false);
+  filter.predict(0.1);
+  filter.update({0.5, 0}, kMillimetres);
+  EXPECT_EQ(filter.probability_of_rest(), 0);
+  EXPECT_NEAR(velocity(filter).x(), 5, 0.01);
+  // (1e-5 + 1e-5) / 0.1^2, and of the acceleration a third of (2 * 0.1)^2.
+  EXPECT_NEAR(filter.velocity_covariance()(0, 0), 2e-3 + 0.04 / 3, 1e-4);
+}
+
 }  // namespace
 }  // namespace ldm

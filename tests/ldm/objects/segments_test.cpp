@@ -34,6 +34,12 @@ TEST(Segments, LinkTouchingCellsAndOneEmptyBetweenTwoRings) {
             expected);
 }
 
+TEST(Segments, ReachAsFarAsTheyAreTold) {
+  Segments segments(1, {1, 1, 1});
+  const std::vector<std::vector<std::size_t>> expected = {{0, 1}, {2}};
+  EXPECT_EQ(found(segments, {{0.5, 0.5, 0.5}, {1.5, 1.5, -0.5}, {0.5, 0.5, 2.5}}), expected);
+}
+
 /// Components by brute force: all pairs of points.
 TEST(Segments, AreTheComponentsOfTouchingCells) {
   std::mt19937 random(7);
