@@ -243,6 +243,8 @@ scripts_velocity = tables.velocity figures.velocity_figures
 scripts_timing = figures.computation_time
 scripts_outdoor = figures.outdoor_figures
 scripts_avoidance = figures.avoidance_figures
+scripts_objects = tables.objects_table
+scripts_objects_ablation = tables.objects_table
 scripts_avoidance_trust = figures.avoidance_figures tables.trust_table
 # Scores of a sweep, where they are not the usual ones.
 shown_ghosts = --scores ghost_voxels_per_frame,seconds_to_clear,case1_visible_voxels,iou_visible
@@ -382,6 +384,13 @@ avoidance: program ## the closed loop: who reaches the goal, upon which map: doc
 	@$(call analyse,figures.avoidance_figures,avoidance)
 	@$(draw_flights)
 
+.PHONY: objects
+objects: program ## objects a planner can trust: each goal and what is attained, and what brings it: docs/objects.md
+	@$(call run_study,objects)
+	@$(call run_study,objects_ablation)
+	@$(call analyse,tables.objects_table,objects)
+	@$(call analyse,tables.objects_table,objects_ablation)
+
 .PHONY: compare
 compare: STUDY = table1
 compare: program ## paired differences of METHODS="a b" against every other method of STUDY (table1)
@@ -405,7 +414,7 @@ gallery_frame_outdoor1 := 112
 gallery: program ## a picture of each scenario by each method, without a display: results/gallery/
 	@mkdir -p '$(RESULTS)/gallery' && rm -f '$(RESULTS)'/gallery/*.png
 	@{ $(foreach scenario,$(basename $(notdir $(wildcard datasets/scenarios/*.toml))), \
-	  for method in $$('$(LDM)' methods | cut -d' ' -f1); do \
+	  for method in $$('$(LDM)' methods | cut -d' ' -f1 | grep -v _without_); do \
 	    printf '%s $(scenario) --frame $(or $(gallery_frame_$(scenario)),200) -o "%s"\n' \
 	      $$method '$(RESULTS)/gallery/$(scenario)'.$$method.png; done;) } \
 	  | $(per_line) $(program_here) render --seed 1

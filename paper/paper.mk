@@ -1,7 +1,7 @@
 # The report: `make paper`, and `make reproduce-full` for all that it rests on.
 
 PAPER_STUDIES := table1 outdoor calibration timing ablation particles process_noise survival resolution map_size \
-  sensor_noise channels obstacle_speed avoidance
+  sensor_noise channels obstacle_speed avoidance objects
 
 .PHONY: paper
 paper: setup ## the report paper/ldm-reproduction.pdf, from the results that exist

@@ -25,6 +25,7 @@ from analysis.report.equations import index_table, read_index
 from analysis.report.evidence import SWEEPS, Evidence, command
 from analysis.report.figures import write_figures
 from analysis.report.numbers import definitions, numbers
+from analysis.report.objects import goals_table
 from analysis.report.open_points import points_table
 from analysis.report.sensitivity import sensitivity_table
 from analysis.report.sources import write_sources
@@ -51,6 +52,7 @@ def write_report(evidence: Evidence, equations: Path, output: Path) -> None:
         "accuracy": _tabular(evidence, accuracy_table, captions["accuracy"], "tab:accuracy"),
         "velocity": _tabular(evidence, velocity_table, captions["velocity"], "tab:velocity"),
         "avoidance": success_table(evidence, captions["avoidance"]),
+        "objects": goals_table(evidence, captions["objects"]),
         "outdoor": outdoor_table(evidence, captions["outdoor"]),
         "open-points": points_table(evidence, defaults, captions["open-points"]),
         "sensitivity": sensitivity_table(evidence, captions["sensitivity"]),
@@ -96,6 +98,8 @@ def _captions(evidence: Evidence) -> dict[str, str]:
         "velocity": ("Velocity error, the paper's beside ours", ("table1",)),
         "outdoor": ("Claims on the flight outdoors, the paper's beside ours", ("outdoor",)),
         "avoidance": (r"Flights that reach the goal (\%), with 95\,\% Wilson intervals", ("avoidance",)),
+        "objects": (r"Goals of \code{object\_ldm}, and means over seeds; $+$: it is better than this method, $-$: "
+                    "worse, beyond chance", ("objects",)),
         "open-points": (f"Open points and their effect: {effects}",
                         ("ablation", "process_noise", "survival")),
         "sensitivity": (f"Orders under other circumstances: {orders}",

@@ -20,7 +20,7 @@ SWEEPS = (
 )
 """Studies that the report shows as figures, in its order."""
 
-STUDIES = ("table1", "outdoor", "avoidance", "calibration", "timing", "ablation", *SWEEPS)
+STUDIES = ("table1", "outdoor", "avoidance", "objects", "calibration", "timing", "ablation", *SWEEPS)
 WORLDS, FLIGHT = "worlds", "flight"
 """Not studies: the recorded worlds of Figure 5, and those of Figure 11 with the pictures of Figures 12
 and 13."""
@@ -28,7 +28,8 @@ RECORDINGS = (WORLDS, FLIGHT)
 BENCH = "bench"
 """Not a study either: bench.json, the speeds."""
 
-_COMMANDS = {"table1": "make reproduce", "timing": "make timing", "avoidance": "make avoidance", BENCH: "make bench"}
+_COMMANDS = {"table1": "make reproduce", "timing": "make timing", "avoidance": "make avoidance",
+             "objects": "make objects", BENCH: "make bench"}
 _COMMANDS |= {name: "make figures" for name in RECORDINGS}
 
 

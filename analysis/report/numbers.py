@@ -19,6 +19,7 @@ from analysis.report.claim_rows import MOST_PCT, Row
 from analysis.report.claims import counts
 from analysis.report.closed_loop import closed_loop_numbers
 from analysis.report.evidence import STUDIES, WORLDS, Evidence
+from analysis.report.objects import objects_numbers
 from analysis.report.open_points import open_points, show
 from analysis.tables import accuracy_table
 from analysis.tables.orderings import OPPOSITE, REPRODUCED
@@ -37,6 +38,7 @@ def numbers(evidence: Evidence, rows: list[Row], defaults: dict[str, object]) ->
     found |= bench_numbers(evidence)
     found |= _world_numbers(evidence)
     found |= closed_loop_numbers(evidence)
+    found |= objects_numbers(evidence)
     return found
 
 
