@@ -16,7 +16,6 @@ from cluster import Cluster
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = "velocity-f200"
-TRIALS = 24
 
 
 @pytest.fixture(name="cluster")
@@ -24,6 +23,12 @@ def started_cluster():
     cluster = Cluster()
     yield cluster
     cluster.stop()
+
+
+def trials() -> int:
+    """Of the study that `start_study` starts."""
+    command = [os.environ["LDM"], "--data-dir", ROOT, "trials", "velocity", "--seeds", "4"]
+    return len(subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines())
 
 
 def start_study(results: Path, environment: dict[str, str], *variables: str) -> subprocess.Popen:
@@ -63,14 +68,14 @@ def test_a_lost_node_costs_its_unfinished_trials_only(cluster, tmp_path):
     wait_for(lambda: len(list(folder.glob("*.s[0-9]*[0-9].json"))) >= 4 and cluster.running_trials("n2"), study)
     cluster.kill("n2")
     finished = {file: file.stat().st_mtime_ns for file in folder.glob("*.s[0-9]*[0-9].json")}
-    assert 4 <= len(finished) < TRIALS
+    assert 4 <= len(finished) < trials()
 
     done = finish(study)
     assert done.returncode == 0, done.stderr
-    assert f"{TRIALS} of {TRIALS} trials good" in done.stdout
+    assert f"{trials()} of {trials()} trials good" in done.stdout
     assert cluster.node_states()["n2"] == "down*"
     assert {file: file.stat().st_mtime_ns for file in finished} == finished
-    assert len(records(over_slurm)) == TRIALS
+    assert len(records(over_slurm)) == trials()
     assert records(over_slurm) == records(tmp_path / "local")
 
 
@@ -88,7 +93,7 @@ def test_an_interrupted_study_leaves_no_job_and_is_continued(cluster, tmp_path):
     assert "stopped; the same command continues it" in interrupted.stderr
     assert cluster.jobs() == [] and not (folder / "slurm" / "job").exists()
     finished = {file: file.stat().st_mtime_ns for file in folder.glob("records/*.s[0-9]*[0-9].json")}
-    assert 0 < len(finished) < TRIALS
+    assert 0 < len(finished) < trials()
 
     done = finish(start_study(tmp_path, cluster.environment, "SLURM=1", "SHARDS=2"))
     assert done.returncode == 0, done.stderr
