@@ -58,6 +58,7 @@ struct SensorDescription {
   double rate = 10;                                          ///< [Hz]
   Interval range;                                            ///< returns outside it are lost [m]
   double range_sigma = 0;                                    ///< [m]
+  double pose_sigma = 0;                                     ///< of the reported pose [m]
   Eigen::Vector3d position = Eigen::Vector3d::Zero();        ///< in the UAV's frame [m]
   Eigen::Vector3d roll_pitch_yaw = Eigen::Vector3d::Zero();  ///< in the UAV's frame [deg]
 };

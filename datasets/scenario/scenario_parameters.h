@@ -105,6 +105,9 @@ void visit_parameters(S& s, Visitor&& visit) {
         s.sensor.range);
   visit(Info{"sensor.range_sigma_m", "", "m", 0, 10, kA, "standard deviation of the range noise"},
         s.sensor.range_sigma);
+  visit(Info{"sensor.pose_sigma_m", "", "m", 0, 1, "assumed",
+             "standard deviation of each scan's reported place, per axis; 0 where left out"},
+        s.sensor.pose_sigma);
   visit(Info{"sensor.position_m", "", "m", -10, 10, "assumed", "on the UAV; 0 where left out"},
         s.sensor.position);
   visit(Info{"sensor.roll_pitch_yaw_deg", "", "deg", -180, 180, "assumed",

@@ -58,6 +58,7 @@ ldm::Pose sensor_pose(const SensorDescription& sensor) {
 Simulation::Simulation(const Scenario& scenario, std::uint64_t seed,
                        std::optional<std::int64_t> frames)
     : rate_(checked(scenario).sensor.rate),
+      pose_sigma_(scenario.sensor.pose_sigma),
       noise_seed_(mixed(seed)),
       frames_(frame_count(scenario, frames)),
       T_uav_sensor_(to_pose(to_quaternion_pose(sensor_pose(scenario.sensor)))),
@@ -81,7 +82,18 @@ bool Simulation::next(Frame& frame) {
   caster_.cast(frame.scan.T_world_sensor, frame.truth->objects, noise_key, image_,
                frame.truth->noise_free_hits);
   caster_.beams().project(image_, frame.scan);
+  if (pose_sigma_ > 0) report_pose(frame);
   return true;
+}
+
+/// The scan was taken from the true pose; what is known of that is noisy.
+void Simulation::report_pose(Frame& frame) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto draw = static_cast<std::uint64_t>(3 * frame.index + axis);
+    uav_pose_.translation(axis) += pose_sigma_ * normal_of(random_bits(mixed(noise_seed_), draw));
+  }
+  frame.scan.T_world_uav = to_pose(uav_pose_);
+  frame.scan.T_world_sensor = composed(frame.scan.T_world_uav, T_uav_sensor_);
 }
 
 }  // namespace datasets

@@ -27,12 +27,16 @@ class Simulation : public FrameSource {
   const LidarModel& lidar() const { return caster_.model(); }
   const ldm::Pose& T_uav_sensor() const { return T_uav_sensor_; }
   const World& world() const { return world_; }
-  /// Of the last frame; `frame.scan` is made from these alone, and so can a log be.
+  /// Of the last frame, the pose as it is reported; `frame.scan` is made from these alone, and so
+  /// can a log be.
   const RangeImage& range_image() const { return image_; }
   const QuaternionPose& uav_pose() const { return uav_pose_; }
 
  private:
+  void report_pose(Frame& frame);
+
   double rate_;
+  double pose_sigma_;
   std::uint64_t noise_seed_;
   std::int64_t frames_;
   ldm::Pose T_uav_sensor_;

@@ -219,6 +219,10 @@ TEST(ScenarioTest, TheHashTellsDescriptionsApart) {
   EXPECT_NE(hash, scenario_hash(shipped("scenario2")));
   scenario.title = "another";
   EXPECT_EQ(hash, scenario_hash(scenario));
+  set_scenario_value(scenario, "sensor.pose_sigma_m", "0.01");
+  EXPECT_NE(hash, scenario_hash(scenario));
+  set_scenario_value(scenario, "sensor.pose_sigma_m", "0");
+  EXPECT_EQ(hash, scenario_hash(scenario));
   set_scenario_value(scenario, "sensor.range_sigma_m", "0.021");
   EXPECT_NE(hash, scenario_hash(scenario));
 }

@@ -136,6 +136,26 @@ TEST(SimulationTest, AScanIsMadeFromWhatALogStores) {
   }
 }
 
+/// The same returns in the sensor's frame, from places some millimetres off.
+TEST(SimulationTest, ReportedPosesAreNoisy) {
+  Scenario scenario = short_scenario("scenario3");
+  Simulation exact(scenario, 3, 100);
+  scenario.sensor.pose_sigma = 0.01;
+  Simulation noisy(scenario, 3, 100);
+  Frame a, b;
+  double squares = 0;
+  while (exact.next(a) && noisy.next(b)) {
+    EXPECT_EQ(a.scan.points, b.scan.points);
+    EXPECT_EQ(a.truth->noise_free_hits, b.truth->noise_free_hits);
+    const Eigen::Vector3d off =
+        b.scan.T_world_sensor.translation - a.scan.T_world_sensor.translation;
+    EXPECT_LT((b.scan.T_world_uav.translation - a.scan.T_world_uav.translation - off).norm(),
+              1e-12);
+    squares += off.squaredNorm();
+  }
+  EXPECT_NEAR(std::sqrt(squares / 300), 0.01, 0.0015);
+}
+
 TEST(SimulationTest, TheSensorLeavesTheWorldAlone) {
   Scenario scenario = short_scenario("scenario2");
   Simulation narrow(scenario, 4, 2);
