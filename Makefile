@@ -391,6 +391,16 @@ objects: program ## objects a planner can trust: each goal and what is attained,
 	@$(call analyse,tables.objects_table,objects)
 	@$(call analyse,tables.objects_table,objects_ablation)
 
+.PHONY: object-figures
+object-figures: program ## Figures 6 to 9 and 14 to 16 of object_ldm in place of the LDM, after make reproduce
+	@for study in table1 outdoor; do $(MAKE) trials-of-objects STUDY=$$study || exit; done
+	@$(call analyse,figures.velocity_figures,table1) --method object_ldm
+	@$(call analyse,figures.outdoor_figures,outdoor) --method object_ldm
+
+.PHONY: trials-of-objects
+trials-of-objects: program
+	@$(call run_study,$(STUDY)) --methods object_ldm
+
 .PHONY: compare
 compare: STUDY = table1
 compare: program ## paired differences of METHODS="a b" against every other method of STUDY (table1)

@@ -46,6 +46,16 @@ def add_scores(made: argparse.ArgumentParser, default: Sequence[str], purpose: s
     )
 
 
+def add_method(made: argparse.ArgumentParser, default: str) -> None:
+    """Give a parser --method: whose velocities the figures show."""
+    made.add_argument(
+        "--method",
+        default=default,
+        metavar="NAME",
+        help=f"whose velocities to show; if NAME of --study lacks it, from NAME+METHOD (default: {default})",
+    )
+
+
 def report_notes(study: Study) -> None:
     """Print what the study lacks on stderr: a table with gaps never goes unannounced."""
     for note in study.notes:

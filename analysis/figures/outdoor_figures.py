@@ -20,7 +20,7 @@ from typing import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import parser, report_notes, run
+from analysis.data.command_line import add_method, parser, report_notes, run
 from analysis.data.errors import InputError
 from analysis.data.published import published
 from analysis.data.records import Study, load_study
@@ -46,23 +46,23 @@ PERSONS = {
 HEIGHT = 3.6  # [in]
 
 
-def person_figure(person: ObjectSeries) -> Figure:
+def person_figure(person: ObjectSeries, label: str = "LDM") -> Figure:
     """Estimated and true velocity along x, y and z over the frames, a panel each."""
     figure = new_figure(COLUMN_WIDTH, HEIGHT)
     panels = figure.subplots(3, 1, sharex=True)
     for axis, axes in enumerate(panels):
-        _panel(axes, person, axis)
+        _panel(axes, person, axis, label)
     panels[-1].set_xlabel("frame")
     panels[-1].set_xlim(person.frame[0], max(person.frame[-1], person.frame[0] + 1))
     legend_above(figure, panels[0], columns=3)
     return figure
 
 
-def _panel(axes: Axes, person: ObjectSeries, axis: int) -> None:
+def _panel(axes: Axes, person: ObjectSeries, axis: int, label: str) -> None:
     # Wide and behind: the estimate must stay visible where it is right.
     axes.plot(person.frame, person.truth[:, axis], color=BLUE, linewidth=2.2, zorder=1.5,
               label="ground truth")  # fmt: skip
-    axes.plot(person.frame, person.estimate[:, axis], color=BLACK, linewidth=0.9, label="LDM")
+    axes.plot(person.frame, person.estimate[:, axis], color=BLACK, linewidth=0.9, label=label)
     axes.set_ylabel(f"{'xyz'[axis]} (m/s)")
     if not person.dynamic:
         bound = published()["outdoor"]["static"]["largest_error_mps"]
@@ -79,42 +79,47 @@ def hidden_spans(person: ObjectSeries) -> list[tuple[float, float]]:
     return [(person.frame[a] - 0.5, person.frame[b - 1] + 0.5) for a, b in person.hidden_runs()]
 
 
-def draw(study: Study, folder: Path) -> list[Path]:
-    """Make Figures 14 to 16 in `folder`; returns the pictures.
+def draw(study: Study, folder: Path, method: str = METHOD) -> list[Path]:
+    """Make Figures 14 to 16 in `folder`; returns the pictures. Those of another method than the LDM have its
+    name at the end of theirs.
 
     Raises
     ------
     InputError
-        If there is no trial of the LDM in outdoor1, or it has not these persons.
+        If there is no trial of the method in outdoor1, or it has not these persons.
     """
     trials = study.trials[
-        (study.trials["scenario"] == SCENARIO) & (study.trials["method"] == METHOD)
+        (study.trials["scenario"] == SCENARIO) & (study.trials["method"] == method)
     ]
     if trials.empty:
-        raise InputError(f"{study.folder}: holds no trial of {METHOD} in {SCENARIO}")
+        raise InputError(f"{study.folder}: holds no trial of {method} in {SCENARIO}")
     trial = trials.sort_values("replicate").iloc[0]
     persons = read_series(trial["file"])
     if len(persons) != len(PERSONS):
         raise InputError(f"{trial['file']}: series of {len(persons)} objects, not {len(PERSONS)}")
-    made = []
+    made, tail = [], "" if method == METHOD else f"_{method}"
+    label = "LDM" if method == METHOD else method
     for (name, who), person in zip(PERSONS.items(), persons):
         caption = (
             f"Figure {name.removeprefix('figure')}. Estimated velocity of {who} of {SCENARIO}, "
             f"replicate {trial['replicate']}, along x, y and z. A line is broken where no cluster "
             f"was matched. Source: {study.source()}."
         )
-        made += save(person_figure(person), folder / name, caption)
+        made += save(person_figure(person, label), folder / f"{name}{tail}", caption)
     return made
 
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the figures and the table of one study."""
-    args = parser(__doc__, study="outdoor").parse_args(argv)
-    study = load_study(args.results, args.study)
+    args_parser = parser(__doc__, study="outdoor")
+    add_method(args_parser, METHOD)
+    args = args_parser.parse_args(argv)
+    study = load_study(args.results, args.study, [args.method])
     study.require_no_sweep()
     report_notes(study)
-    print(write_table(study))
-    print(*draw(study, study.folder / "figures"), sep="\n")
+    if args.method == METHOD:
+        print(write_table(study))
+    print(*draw(study, study.folder / "figures", args.method), sep="\n")
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import parser, report_notes, run
+from analysis.data.command_line import add_method, parser, report_notes, run
 from analysis.data.errors import InputError
 from analysis.data.published import display_name
 from analysis.data.records import Study, load_study
@@ -55,10 +55,12 @@ class Shown:
     @property
     def truth(self) -> ObjectSeries:
         """Any of the series: time and truth are the same in both."""
-        return self.by_method[PAIR[0]]
+        return next(iter(self.by_method.values()))
 
 
-def choose_shown(study: Study, scenario: str, dynamic: bool) -> Shown:
+def choose_shown(
+    study: Study, scenario: str, dynamic: bool, pair: tuple[str, str] = PAIR
+) -> Shown:
     """Pick the obstacle by the rule in the head of this file.
 
     Raises
@@ -68,14 +70,14 @@ def choose_shown(study: Study, scenario: str, dynamic: bool) -> Shown:
         on when it was in the map.
     """
     kind = "dynamic" if dynamic else "static"
-    for replicate, files in _common_replicates(study, scenario):
+    for replicate, files in _common_replicates(study, scenario, pair):
         chosen = {m: longest_in_map(read_series(file), dynamic) for m, file in files.items()}
         if all(found is None for found in chosen.values()):
             continue
         if not _same_stay(*chosen.values()):
             names = " and ".join(file.name for file in files.values())
             raise InputError(f"{study.folder}: {names} disagree on when objects were in the map")
-        shown = chosen[PAIR[0]]
+        shown = chosen[pair[0]]
         rule = (
             f"{kind.capitalize()} object {shown.object} of {scenario}, replicate {replicate}: of "
             f"the {kind} objects the one with the longest contiguous time in the map "
@@ -86,7 +88,7 @@ def choose_shown(study: Study, scenario: str, dynamic: bool) -> Shown:
         )
         return Shown(chosen, rule)
     raise InputError(
-        f"{study.folder}: no replicate of {scenario} has {PAIR[0]}, {PAIR[1]} and a {kind} object "
+        f"{study.folder}: no replicate of {scenario} has {pair[0]}, {pair[1]} and a {kind} object "
         "in the map"
     )
 
@@ -96,7 +98,7 @@ def error_figure(shown: Shown) -> Figure:
     figure = new_figure(COLUMN_WIDTH, HEIGHT)
     axes = figure.subplots()
     for method, series in _paper_order(shown):
-        axes.plot(series.time, series.error(), **_line(method), label=NAMES[method])
+        axes.plot(series.time, series.error(), **_line(method), label=NAMES.get(method, method))
     axes.set(xlabel="time (s)", ylabel="velocity error (m/s)")
     axes.set_ylim(bottom=0)
     _finish(figure, axes, shown)
@@ -108,7 +110,7 @@ def component_figure(shown: Shown, axis: int) -> Figure:
     figure = new_figure(COLUMN_WIDTH, HEIGHT)
     axes = figure.subplots()
     for method, series in _paper_order(shown):
-        axes.plot(series.time, series.estimate[:, axis], **_line(method), label=NAMES[method])
+        axes.plot(series.time, series.estimate[:, axis], **_line(method), label=NAMES.get(method, method))
     # Wide and behind: the estimates must stay visible where they are right.
     axes.plot(
         shown.truth.time, shown.truth.truth[:, axis], color=BLUE, linewidth=2.2, zorder=1.5,
@@ -127,19 +129,21 @@ def _finish(figure: Figure, axes: Axes, shown: Shown) -> None:
 
 def _paper_order(shown: Shown) -> list[tuple[str, ObjectSeries]]:
     """[11] with PF first, so that the LDM is drawn over it."""
-    return [(method, shown.by_method[method]) for method in reversed(PAIR)]
+    return list(reversed(shown.by_method.items()))
 
 
 def _line(method: str) -> dict:
-    if method == "ldm":
+    if method != PAIR[1]:
         return {"color": BLACK, "linestyle": "-", "linewidth": 1.0}
     return {"color": VERMILLION, "linestyle": ":", "linewidth": 1.4}
 
 
-def _common_replicates(study: Study, scenario: str) -> list[tuple[int, dict[str, Path]]]:
+def _common_replicates(
+    study: Study, scenario: str, pair: tuple[str, str]
+) -> list[tuple[int, dict[str, Path]]]:
     """Replicates that have both methods, ascending, with the record of each method."""
     trials = study.trials[study.trials["scenario"] == scenario]
-    files = {m: trials[trials["method"] == m].set_index("replicate")["file"] for m in PAIR}
+    files = {m: trials[trials["method"] == m].set_index("replicate")["file"] for m in pair}
     common = set.intersection(*(set(of_method.index) for of_method in files.values()))
     return [(r, {m: of_method[r] for m, of_method in files.items()}) for r in sorted(common)]
 
@@ -150,20 +154,24 @@ def _same_stay(a: ObjectSeries | None, b: ObjectSeries | None) -> bool:
     return a.object == b.object and np.array_equal(a.frame, b.frame)
 
 
-def draw(study: Study, folder: Path) -> list[Path]:
-    """Make all figures of a study in `folder`; returns the pictures."""
-    styles = f"Dotted: {display_name(PAIR[1])}; black: {display_name(PAIR[0])}"
+def draw(study: Study, folder: Path, method: str = PAIR[0]) -> list[Path]:
+    """Make all figures of a study in `folder`; returns the pictures. Those of another method than the LDM
+    have its name at the end of theirs."""
+    pair, tail = (method, PAIR[1]), "" if method == PAIR[0] else f"_{method}"
+    styles = f"Dotted: {display_name(pair[1])}; black: {display_name(pair[0])}"
 
-    static = choose_shown(study, STATIC_SCENARIO, dynamic=False)
+    static = choose_shown(study, STATIC_SCENARIO, False, pair)
     caption = f"Figure 6. Estimated velocity error of a static obstacle. {styles}. {static.rule}"
-    made = save(error_figure(static), folder / "figure6", caption)
-    dynamic = choose_shown(study, DYNAMIC_SCENARIO, dynamic=True)
+    made = save(error_figure(static), folder / f"figure6{tail}", caption)
+    dynamic = choose_shown(study, DYNAMIC_SCENARIO, True, pair)
     for axis in range(3):
         caption = (
             f"Figure {7 + axis}. Estimated {'xyz'[axis]} direction velocity of a dynamic obstacle. "
             f"{styles}; blue: ground truth. {dynamic.rule}"
         )
-        made += save(component_figure(dynamic, axis), folder / f"figure{7 + axis}", caption)
+        made += save(component_figure(dynamic, axis), folder / f"figure{7 + axis}{tail}", caption)
+    if tail:
+        return made
     return made + save(
         distribution_figure(study), folder / "velocity_errors", distribution_caption(study)
     )
@@ -171,11 +179,13 @@ def draw(study: Study, folder: Path) -> list[Path]:
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the figures of one study."""
-    args = parser(__doc__, study="table1").parse_args(argv)
-    study = load_study(args.results, args.study)
+    args_parser = parser(__doc__, study="table1")
+    add_method(args_parser, PAIR[0])
+    args = args_parser.parse_args(argv)
+    study = load_study(args.results, args.study, [args.method])
     study.require_no_sweep()
     report_notes(study)
-    print(*draw(study, study.folder / "figures"), sep="\n")
+    print(*draw(study, study.folder / "figures", args.method), sep="\n")
 
 
 if __name__ == "__main__":

@@ -110,6 +110,14 @@ def test_the_command_writes_figures_and_table(tmp_path, study, capsys):
     assert (folder / "tables" / "outdoor.csv").read_text().count("\n") == 1 + 2 * len(measures())
 
 
+def test_another_method_has_figures_of_its_own(tmp_path):
+    write_records(tmp_path, records(("ldm", "object_ldm")))
+    assert run(main, ["--results", str(tmp_path), "--method", "object_ldm"]) == 0
+    assert {file.stem for file in (tmp_path / "outdoor" / "figures").glob("*.png")} == {
+        f"figure{k}_object_ldm" for k in (14, 15, 16)}  # fmt: skip
+    assert run(main, ["--results", str(tmp_path), "--method", "octomap"]) == 2
+
+
 def test_same_records_same_bytes(study, tmp_path):
     for name in ("a", "b"):
         draw(study, tmp_path / name)

@@ -105,6 +105,18 @@ def test_all_files_are_made_and_the_same_again(tmp_path):
     assert {file.name: file.read_bytes() for file in folder.iterdir()} == first
 
 
+def test_another_method_has_figures_of_its_own(tmp_path):
+    write_records(tmp_path, records())
+    beside = [r | {"method": "object_ldm", "id": f"{r['scenario']}-object_ldm-{r['replicate']}",
+                   "study": "table1+object_ldm"}
+              for r in records() if r["method"] == "ldm"]  # fmt: skip
+    write_records(tmp_path, beside)
+    assert run(main, ["--results", str(tmp_path), "--method", "object_ldm"]) == 0
+    folder = tmp_path / "table1" / "figures"
+    assert {f.stem for f in folder.glob("*.png")} == {f"figure{k}_object_ldm" for k in (6, 7, 8, 9)}
+    assert "black: object_ldm" in (folder / "figure7_object_ldm.txt").read_text()
+
+
 def test_one_method_alone_is_refused(tmp_path):
     write_records(tmp_path, [r for r in records() if r["method"] == "ldm"])
     with pytest.raises(InputError, match="no replicate of scenario1 has ldm, circular_buffer_pf_eq17"):
