@@ -31,6 +31,11 @@ def test_counts_what_is_missing_at_the_measured_pace(tmp_path):
     assert "together about 40 s" in serial
 
 
+def heed_ctrl_c():
+    """What a shell starts in the background ignores it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.parametrize("script", [["list_studies.py"], ["estimate.py", "calibration", "--seeds", "1"]])
 def test_ends_at_ctrl_c_with_one_line(tmp_path, script):
     started = tmp_path / "started"
@@ -39,7 +44,7 @@ def test_ends_at_ctrl_c_with_one_line(tmp_path, script):
     slow.chmod(0o755)
     command = [sys.executable, ROOT / "experiments" / "harness" / script[0], *script[1:], "--program", slow,
                "--results", tmp_path, "--jobs", "2"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, preexec_fn=heed_ctrl_c) as process:
         while not started.exists():
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)

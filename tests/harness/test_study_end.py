@@ -1,6 +1,7 @@
 """What `make study` makes of the records when all trials are there, and what `make studies` promises."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -97,8 +98,9 @@ def test_a_study_that_has_run_is_estimated_from_its_own_trials(studies, tmp_path
     ("/bin/true", "/bin/true: answers no JSON; LDM is to be the `ldm` program")])
 @pytest.mark.parametrize("target", ["studies", "trials"])
 def test_another_program_is_one_line(target, program, said, tmp_path):
+    outside = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
     done = subprocess.run(["make", "-C", ROOT, target, "STUDY=table1", f"LDM={program}", f"RESULTS={tmp_path}"],
-                          capture_output=True, text=True, check=False)
+                          capture_output=True, text=True, check=False, env=outside)
     assert done.returncode == 2
     line, *rest = done.stderr.splitlines()
     assert line.removeprefix("study table1: ") == said
