@@ -3,7 +3,7 @@
 A goal holds if the mean over seeds meets it. Beside it stand the other methods' means, and what the paired test
 says of each pair: the signed-rank test over seeds with Holm's correction over all rows of the table.
 
-Reads   DIR/NAME/records/*.json, and DIR/NAME_ablation/records/*.json if it is there
+Reads   DIR/NAME/records/*.json
 Writes  DIR/NAME/tables/: objects.txt, objects.csv, objects.tex, objects_tests.csv
 Prints  the table
 
@@ -90,9 +90,14 @@ def with_false_voxels(study: Study) -> Study:
     return study
 
 
-def score_of(goal: Goal) -> Score:
-    """How its score is shown."""
-    return FALSE_VOXELS if goal.score == FALSE_VOXELS.name else SCORES[goal.score]
+def score_of(name: str) -> Score:
+    """How the score of a goal is shown."""
+    return FALSE_VOXELS if name == FALSE_VOXELS.name else SCORES[name]
+
+
+def scores_of_goals() -> list[Score]:
+    """Each once, in the order of the goals."""
+    return [score_of(name) for name in dict.fromkeys(goal.score for goal in GOALS)]
 
 
 def baselines(study: Study) -> list[str]:
@@ -103,8 +108,7 @@ def baselines(study: Study) -> list[str]:
 
 def goals_frame(study: Study) -> pd.DataFrame:
     """A row for each goal: what it is, whether it is met, and each method's mean."""
-    scores = list({goal.score: score_of(goal) for goal in GOALS}.values())
-    means = Means(mean_table(study, scores))
+    means = Means(mean_table(study, scores_of_goals()))
     rows = []
     for goal in GOALS:
         found = {m: means.find(goal.scenario, m, goal.score) for m in (METHOD, *baselines(study))}
@@ -120,8 +124,7 @@ def goals_frame(study: Study) -> pd.DataFrame:
 
 def tests_frame(study: Study) -> pd.DataFrame:
     """object_ldm against every other method, for each score and scenario that has a goal."""
-    scores = list({goal.score: score_of(goal) for goal in GOALS}.values())
-    table = paired_table(study, all_pairs(study, [METHOD]), scores)
+    table = paired_table(study, all_pairs(study, [METHOD]), scores_of_goals())
     wanted = {(goal.scenario, goal.score) for goal in GOALS}
     chosen = [(row.scenario, row.score) in wanted for row in table.itertuples()]
     return table[chosen].reset_index(drop=True)
@@ -133,8 +136,7 @@ def _mark(tests: pd.DataFrame, scenario: str, score: str, other: str, mean: floa
     row = tests[(tests["scenario"] == scenario) & (tests["score"] == score) & (tests["baseline"] == other)]
     if row.empty or not row["p_holm"].iloc[0] < SIGNIFICANCE:
         return text
-    lower_is_better = (FALSE_VOXELS if score == FALSE_VOXELS.name else SCORES[score]).better == "lower"
-    better = (row["difference"].iloc[0] < 0) == lower_is_better
+    better = (row["difference"].iloc[0] < 0) == (score_of(score).better == "lower")
     return text + ("+" if better else "-")
 
 
@@ -142,7 +144,7 @@ def cells(study: Study, frame: pd.DataFrame, tests: pd.DataFrame) -> list[list[s
     """Rows of the table as text."""
     rows = []
     for row in frame.to_dict("records"):
-        score = FALSE_VOXELS if row["score"] == FALSE_VOXELS.name else SCORES[row["score"]]
+        score = score_of(row["score"])
         ours = Interval(row[METHOD], row["low"], row["high"], row["seeds"])
         rows.append([row["scenario"], score.axis_label, row["goal"], interval(ours, score.decimals),
                      "yes" if row["met"] else "no",
