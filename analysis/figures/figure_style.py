@@ -76,14 +76,19 @@ def method_styles(methods: list[str]) -> dict[str, tuple[str, str]]:
 
 
 def legend_above(figure: Figure, axes: Axes, columns: int) -> None:
-    """A legend of `axes`' labels above all panels, in a band of its own: it covers no data."""
+    """A legend of `axes`' labels above all panels, in a band of its own: it covers no data. It has fewer
+    columns where so many would be wider than the figure."""
     handles, labels = axes.get_legend_handles_labels()
-    legend = figure.legend(
-        handles, labels, loc="upper center", ncols=columns, handlelength=2.2, columnspacing=1.2,
-        borderaxespad=0.2,
-    )  # fmt: skip
-    pixels = legend.get_window_extent(figure.canvas.get_renderer()).height
-    band = (pixels / figure.dpi + 0.06) / figure.get_figheight()
+    for count in range(columns, 0, -1):
+        legend = figure.legend(
+            handles, labels, loc="upper center", ncols=count, handlelength=2.2, columnspacing=1.2,
+            borderaxespad=0.2,
+        )  # fmt: skip
+        size = legend.get_window_extent(figure.canvas.get_renderer())
+        if size.width <= figure.bbox.width or count == 1:
+            break
+        legend.remove()
+    band = (size.height / figure.dpi + 0.06) / figure.get_figheight()
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - band))
 
 

@@ -10,6 +10,7 @@ from analysis.data.errors import InputError
 from analysis.data.records import load_study, record_files
 from analysis.data.series import read_series
 from analysis.data.series_scores import largest_static_error
+from analysis.figures.figure_style import COLUMN_WIDTH, legend_above, new_figure
 from analysis.figures.flight_figures import main as draw_flight, pictures_of, sequence_figure
 from analysis.figures.outdoor_figures import draw, hidden_spans, main, person_figure
 from analysis.tables.outdoor_table import means, measures, write_table
@@ -164,3 +165,13 @@ def test_a_flight_without_pictures_is_refused(tmp_path, flight, capsys):
         file.unlink()
     assert run(draw_flight, ["--results", str(tmp_path)]) == 2
     assert "holds no outdoor2.frameN.png; `make figures` draws them" in capsys.readouterr().err
+
+
+def test_a_legend_is_never_wider_than_its_figure():
+    figure = new_figure(COLUMN_WIDTH, 2)
+    axes = figure.subplots()
+    for name in ("a name that takes half of the width", "another one", "a third"):
+        axes.plot([0, 1], label=name)
+    legend_above(figure, axes, columns=3)
+    (legend,) = figure.legends
+    assert legend.get_window_extent(figure.canvas.get_renderer()).width <= figure.bbox.width
