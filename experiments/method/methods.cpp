@@ -129,6 +129,8 @@ std::deque<Method>& table() {
                  create_without<&ldm::Ingredients::centre>),
       object_ldm("object_ldm_without_manoeuvres", "object_ldm with one Kalman filter an object",
                  create_without<&ldm::Ingredients::manoeuvres>),
+      object_ldm("object_ldm_without_shift", "object_ldm that believes the pose of each scan",
+                 create_without<&ldm::Ingredients::shift>),
       object_ldm("object_ldm_without_one_return", "object_ldm that occupies voxels as ldm does",
                  create_without<&ldm::Ingredients::one_return>),
   };

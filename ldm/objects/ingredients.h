@@ -12,6 +12,7 @@ struct Ingredients {
   bool edges = true;       ///< where an object ends, it is measured across the line of sight
   bool centre = true;      ///< the way of the centre steadies what surfaces leave open
   bool manoeuvres = true;  ///< four ways to move; else one, as any Kalman filter
+  bool shift = true;       ///< what all objects of a scan share is an error of its pose
   bool one_return = true;  ///< one return on an object makes a voxel occupied
 };
 

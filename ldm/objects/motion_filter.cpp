@@ -16,6 +16,7 @@ constexpr double kRestSigma = 0.001;                 // of a velocity at rest [m
 constexpr double kUnknownSpeed = 6;                  // standard deviation, per axis [m/s]
 constexpr double kUnlikely = 0.05;                   // a mode no ellipse of 95 % holds
 constexpr double kLeastProbability = 1e-6;           // of a mode: none is given up for ever
+constexpr double kImpossible = 1e-30;                // not zero, if all modes are surprised
 constexpr std::size_t kOnlyMode = 2;                 // without manoeuvres
 
 void rest(MotionState& state) {
@@ -40,6 +41,11 @@ void move(MotionState& state, double a, double dt) {
     state.covariance(axis + 2, axis) += q * dt / 2;
     state.covariance(axis + 2, axis + 2) += q;
   }
+}
+
+double likelihood(const Eigen::Vector2d& innovation, const Eigen::Matrix2d& covariance) {
+  return std::exp(-0.5 * innovation.dot(covariance.inverse() * innovation)) /
+         std::sqrt(covariance.determinant());
 }
 
 /// Likelihood of the measurement.
@@ -131,8 +137,25 @@ void MotionFilter::predict(double dt) {
   mixed_ = mix(weights);
 }
 
+MotionFilter::Evidence MotionFilter::evidence(const Fix& fix, const Fix& error) const {
+  Evidence sum;
+  double total = kImpossible;
+  for (const Mode& mode : modes_) {
+    const Eigen::Matrix2d expected = mode.state.covariance.topLeftCorner<2, 2>() + fix.covariance;
+    const Eigen::Vector2d off = fix.position - mode.state.mean.head<2>();
+    const double weight =
+        mode.probability * likelihood(off - error.position, expected + error.covariance);
+    const Eigen::Matrix2d information = expected.inverse();
+    sum.information += weight * information;
+    sum.vector += weight * information * off;
+    total += weight;
+  }
+  sum.information /= total;
+  sum.vector /= total;
+  return sum;
+}
+
 void MotionFilter::update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
-  constexpr double kImpossible = 1e-30;  // not zero, if all modes are surprised
   double total = 0;
   for (Mode& mode : modes_) {
     mode.probability *= correct(mode.state, position, covariance) + kImpossible;

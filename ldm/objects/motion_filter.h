@@ -14,6 +14,12 @@ struct MotionState {
   Eigen::Matrix<double, 4, 4, Eigen::DontAlign> covariance = Eigen::Matrix4d::Zero();
 };
 
+/// A measured position [m] and its covariance [m^2]; the layout is the same for every -march.
+struct Fix {
+  Eigen::Matrix<double, 2, 1, Eigen::DontAlign> position = Eigen::Vector2d::Zero();
+  Eigen::Matrix<double, 2, 2, Eigen::DontAlign> covariance = Eigen::Matrix2d::Zero();
+};
+
 /// Kalman filters of an object at rest and of one that accelerates little, more and abruptly, mixed
 /// by how well each foretells what is measured.
 class MotionFilter {
@@ -27,6 +33,14 @@ class MotionFilter {
   void predict(double dt);
   /// Measured at `position` with that covariance.
   void update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
+
+  /// What a fix tells of an error that others share, before the update with it and if that error is
+  /// thought to be `error`: of what turns at that moment, little.
+  struct Evidence {
+    Eigen::Matrix<double, 2, 2, Eigen::DontAlign> information = Eigen::Matrix2d::Zero();
+    Eigen::Matrix<double, 2, 1, Eigen::DontAlign> vector = Eigen::Vector2d::Zero();  ///< times mean
+  };
+  Evidence evidence(const Fix& fix, const Fix& error) const;
 
   const MotionState& state() const { return mixed_; }
   /// Of the velocity, over the ways to move that are likely [m^2/s^2]: an abrupt turn always has a

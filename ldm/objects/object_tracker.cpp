@@ -82,18 +82,7 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
       fresh.push_back(std::move(segment));
     }
   }
-  for (std::size_t t = 0; t < objects_.size(); ++t) {
-    if (found_[t].points.empty()) continue;
-    View view = view_of_all(found_[t].points, found_[t].shared);
-    if (view.slices.empty()) continue;
-    if (!found_[t].shared) objects_[t].note_apart();
-    if (found_[t].parted) {
-      objects_[t].see_alone(time, std::move(found_[t].points), std::move(view));
-    } else {
-      objects_[t].see(time, std::move(found_[t].points), std::move(view));
-    }
-    objects_[t].judge(past_.front().panorama, past_.front().time, panorama_);
-  }
+  see_found(time);
   std::vector<TrackedObject> kept;
   for (std::size_t t = 0; t < objects_.size(); ++t) {
     const bool absorbed = found_[t].fragment && objects_[t].seen() < time;
@@ -104,6 +93,42 @@ void ObjectTracker::update(double time, const Eigen::Vector3d& sensor,
     View view = view_of_all(segment.points, false);
     objects_.emplace_back(++last_id_, time, std::move(segment.points), std::move(view),
                           ingredients_);
+  }
+}
+
+/// Measure what was found, and free that from what it shares with all of the scan.
+void ObjectTracker::see_found(double time) {
+  struct Sighting {
+    std::size_t object;
+    View view;
+    Fix fix;
+  };
+  std::vector<Sighting> sightings;
+  shift_.begin(time);
+  for (std::size_t t = 0; t < objects_.size(); ++t) {
+    Found& found = found_[t];
+    if (found.points.empty()) continue;
+    View view = view_of_all(found.points, found.shared);
+    if (view.slices.empty()) continue;
+    if (!found.shared) objects_[t].note_apart();
+    if (found.parted) {
+      objects_[t].see_alone(time, std::move(found.points), std::move(view));
+      continue;
+    }
+    const Fix fix = objects_[t].fix(view);
+    if (ingredients_.shift) shift_.add(objects_[t].id(), objects_[t].motion(), fix);
+    sightings.push_back({t, std::move(view), fix});
+  }
+  shift_.find();
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    auto& [t, view, fix] = sightings[i];
+    const Fix freed = ingredients_.shift ? shift_.freed(i) : fix;
+    objects_[t].see(time, std::move(found_[t].points), std::move(view), fix, freed);
+  }
+  for (TrackedObject& object : objects_) {
+    if (object.seen() == time) {
+      object.judge(past_.front().panorama, past_.front().time, panorama_);
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "ldm/objects/ingredients.h"
 #include "ldm/objects/panorama.h"
+#include "ldm/objects/scan_shift.h"
 #include "ldm/objects/segments.h"
 #include "ldm/objects/tracked_object.h"
 
@@ -37,6 +38,7 @@ class ObjectTracker {
   };
   void leave_behind(std::vector<Segment>& segments);
   void take(Segment segment);
+  void see_found(double time);
   std::vector<std::size_t> claims(const View& view) const;
   void drop_fragments(std::vector<std::size_t>& claims);
   void share_out(const Segment& segment, const std::vector<std::size_t>& claims);
@@ -47,6 +49,7 @@ class ObjectTracker {
   Ingredients ingredients_;
   Segments segments_;
   Panorama panorama_;
+  ScanShift shift_;
   struct Past {
     double time;  // [s]
     Panorama panorama;

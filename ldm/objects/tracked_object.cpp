@@ -81,26 +81,30 @@ double TrackedObject::distance(const Eigen::Vector2d& p) const {
   return std::sqrt(least);
 }
 
-void TrackedObject::see(double time, std::vector<Eigen::Vector3d> points, View view) {
+Fix TrackedObject::fix(const View& view) const {
   // From where it should be, and from where its centre has gone: abrupt turns have two minima.
   Displacement d = registered(outline_, view, position() - at_outline_, ingredients_);
   const Displacement other =
       registered(outline_, view, view.centre() - outline_.view.centre(), ingredients_);
   if (other.cost < d.cost) d = other;
-  filter_.update(at_outline_ + d.value, d.information.inverse() + position_floor());
+  return {at_outline_ + d.value, d.information.inverse() + position_floor()};
+}
 
+void TrackedObject::see(double time, std::vector<Eigen::Vector3d> points, View view, const Fix& fix,
+                        const Fix& freed) {
+  filter_.update(freed.position, freed.covariance);
   take(time, std::move(points), std::move(view));
   ++outline_age_;
   const bool due = outline_age_ >= kOutlineViews || view_.axis.dot(outline_.view.axis) < kSameSide;
   const bool part = view_.width() < kPart * outline_.view.width();
   if ((due && !part) || outline_age_ >= 2 * kOutlineViews) {
-    renew_outline();
+    renew_outline(position() + fix.position - freed.position);
   }
 }
 
 void TrackedObject::see_alone(double time, std::vector<Eigen::Vector3d> points, View view) {
   take(time, std::move(points), std::move(view));
-  renew_outline();
+  renew_outline(position());
 }
 
 void TrackedObject::take(double time, std::vector<Eigen::Vector3d> points, View view) {
@@ -112,9 +116,9 @@ void TrackedObject::take(double time, std::vector<Eigen::Vector3d> points, View 
   at_view_ = position();
 }
 
-void TrackedObject::renew_outline() {
+void TrackedObject::renew_outline(const Eigen::Vector2d& at) {
   outline_ = outline_of(view_);
-  at_outline_ = at_view_;
+  at_outline_ = at;
   outline_age_ = 0;
 }
 

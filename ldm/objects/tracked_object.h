@@ -46,8 +46,13 @@ class TrackedObject {
     ++missed_;
   }
   int missed() const { return missed_; }  ///< scans since it was last seen
-  /// Seen again, at `time` [s].
-  void see(double time, std::vector<Eigen::Vector3d> points, View view);
+  const MotionFilter& motion() const { return filter_; }
+  /// Where `view` shows it: registered against its outline.
+  Fix fix(const View& view) const;
+  /// Seen again, at `time` [s], at `fix`, which is `freed` from the shift of its scan; a next
+  /// outline has that shift.
+  void see(double time, std::vector<Eigen::Vector3d> points, View view, const Fix& fix,
+           const Fix& freed);
 
   /// Seen again without what was beside it in its last view: that tells no way, but later views are
   /// registered against this one.
@@ -65,7 +70,7 @@ class TrackedObject {
  private:
   void judge_velocity();
   void take(double time, std::vector<Eigen::Vector3d> points, View view);
-  void renew_outline();
+  void renew_outline(const Eigen::Vector2d& at);
 
   Ingredients ingredients_;
   std::int64_t id_;

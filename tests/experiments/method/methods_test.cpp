@@ -58,7 +58,8 @@ TEST(Methods, UnknownOneListsTheKnown) {
             "empty_map, "
             "plain_ldm, object_ldm_without_margin, object_ldm_without_outline, "
             "object_ldm_without_slices, object_ldm_without_edges, object_ldm_without_centre, "
-            "object_ldm_without_manoeuvres, object_ldm_without_one_return");
+            "object_ldm_without_manoeuvres, object_ldm_without_shift, "
+            "object_ldm_without_one_return");
 }
 
 TEST(Methods, RefuseParametersTheyDoNotUse) {

@@ -124,5 +124,36 @@ TEST(MotionFilter, WithoutManoeuvresItIsOneKalmanFilter) {
   EXPECT_NEAR(filter.velocity_covariance()(0, 0), 2e-3 + 0.04 / 3, 1e-4);
 }
 
+/// By hand: at rest at the origin, known to a millimetre or so, each fix says where the error is.
+TEST(MotionFilter, WhatStandsTellsOfACommonError) {
+  MotionFilter filter({0, 0}, kMillimetres);
+  for (int i = 0; i < 50; ++i) {
+    filter.predict(0.1);
+    filter.update({0, 0}, kMillimetres);
+  }
+  filter.predict(0.1);
+  const Fix unknown{.covariance = 1e-4 * Eigen::Matrix2d::Identity()};
+  const auto evidence = filter.evidence({{0.01, -0.02}, kMillimetres}, unknown);
+  const Eigen::Vector2d error = evidence.information.inverse() * evidence.vector;
+  EXPECT_NEAR(error.x(), 0.01, 0.001);
+  EXPECT_NEAR(error.y(), -0.02, 0.001);
+  // The fix's own variance, and that of the position: less than this, and 4 mm of drift.
+  EXPECT_GT(evidence.information(0, 0), 1 / 3.6e-5);
+  EXPECT_LT(evidence.information(0, 0), 1 / 1e-5);
+}
+
+TEST(MotionFilter, WhatJustTurnedTellsHardlyAnything) {
+  MotionFilter filter({0, 0}, kMillimetres);
+  for (int i = 1; i <= 30; ++i) {
+    filter.predict(0.1);
+    filter.update({0.1 * i, 0}, kMillimetres);
+  }
+  filter.predict(0.1);
+  const Fix small{.covariance = 1e-4 * Eigen::Matrix2d::Identity()};
+  const double on_its_way = filter.evidence({{3.1, 0}, kMillimetres}, small).information(0, 0);
+  const double turned = filter.evidence({{2.9, 0}, kMillimetres}, small).information(0, 0);
+  EXPECT_LT(turned, 0.05 * on_its_way);
+}
+
 }  // namespace
 }  // namespace ldm
