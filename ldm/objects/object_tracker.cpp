@@ -110,7 +110,7 @@ void ObjectTracker::see_found(double time) {
     if (found.points.empty()) continue;
     View view = view_of_all(found.points, found.shared);
     if (view.slices.empty()) continue;
-    if (!found.shared) objects_[t].note_apart();
+    objects_[t].note_company(found.shared);
     if (found.parted) {
       objects_[t].see_alone(time, std::move(found.points), std::move(view));
       continue;
@@ -164,29 +164,37 @@ void ObjectTracker::take(Segment segment) {
   }
 }
 
-/// The objects that lead to where a part of the segment is, or in part to where it is.
+/// The objects that lead to where a part of the segment is, or in part to where it is; or else
+/// those whose outline does, as what hides the middle of a thing leaves two ends. What was seen
+/// once may be anywhere: it claims what touches it, else see `lost_one`.
 std::vector<std::size_t> ObjectTracker::claims(const View& view) const {
   const Eigen::AlignedBox2d box = box_of(view);
   const std::size_t columns = columns_of(view);
-  std::vector<std::size_t> result;
+  std::vector<std::size_t> of_views, of_outlines;
   for (std::size_t t = 0; t < objects_.size(); ++t) {
     const TrackedObject& object = objects_[t];
-    const double gate = std::min(reach_ + 2 * object.position_sigma(), kGate + 2 * reach_);
-    Eigen::AlignedBox2d expected = box_of(object.view());
-    expected.translate(object.since_view());
-    if (box.exteriorDistance(expected) > gate) continue;
-    std::size_t near = 0;
-    view.for_each_column([&](const Column& c) { near += object.distance(c.point) < gate ? 1 : 0; });
-    const std::size_t fewer = std::min(columns, columns_of(object.view()));
-    if (near > 0 && static_cast<double>(near) >= kClaim * static_cast<double>(fewer)) {
-      result.push_back(t);
+    const double gate = object.views() == 1
+                            ? reach_
+                            : std::min(reach_ + 2 * object.position_sigma(), kGate + 2 * reach_);
+    const auto leads_to = [&](const View& shown, const Eigen::Vector2d& way) {
+      if (box.exteriorDistance(box_of(shown).translated(way)) > gate) return false;
+      std::size_t near = 0;
+      view.for_each_column(
+          [&](const Column& c) { near += shown.distance(c.point - way) < gate ? 1 : 0; });
+      const std::size_t fewer = std::min(columns, columns_of(shown));
+      return near > 0 && static_cast<double>(near) >= kClaim * static_cast<double>(fewer);
+    };
+    if (leads_to(object.view(), object.since_view())) {
+      of_views.push_back(t);
+    } else if (of_views.empty() && leads_to(object.outline_view(), object.since_outline())) {
+      of_outlines.push_back(t);
     }
   }
-  return result;
+  return of_views.empty() ? of_outlines : of_views;
 }
 
-/// Of those in one segment that were hardly ever apart, or move as one, the one longest apart
-/// stays.
+/// Of those in one segment that were hardly ever apart, or are together for longer than they ever
+/// were, or move as one, the one longest apart stays.
 void ObjectTracker::drop_fragments(std::vector<std::size_t>& claims) {
   const std::vector<std::size_t> all = claims;
   std::erase_if(claims, [&](std::size_t t) {
@@ -195,7 +203,9 @@ void ObjectTracker::drop_fragments(std::vector<std::size_t>& claims) {
       const TrackedObject& other = objects_[o];
       const bool older = other.apart() > object.apart() ||
                          (other.apart() == object.apart() && other.id() < object.id());
-      return older && (object.apart() < kFragmentViews || move_alike(other, object));
+      const bool hardly_apart =
+          object.apart() < kFragmentViews || object.together() > object.apart();
+      return older && (hardly_apart || move_alike(other, object));
     });
     found_[t].fragment |= fragment;
     return fragment;

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace ldm {
@@ -74,11 +73,7 @@ void TrackedObject::judge_velocity() {
 }
 
 double TrackedObject::distance(const Eigen::Vector2d& p) const {
-  const Eigen::Vector2d then = p - since_view();
-  double least = std::numeric_limits<double>::infinity();
-  view_.for_each_column(
-      [&](const Column& c) { least = std::min(least, (c.point - then).squaredNorm()); });
-  return std::sqrt(least);
+  return view_.distance(p - since_view());
 }
 
 Fix TrackedObject::fix(const View& view) const {
@@ -138,6 +133,11 @@ void TrackedObject::judge(const Panorama& then, double time, const Panorama& now
   const Place& before = places_.front();
   gone_ = gone_ || vacant(places_.back().columns, speed * (seen_ - time), then) ||
           vacant(before.columns, speed * (seen_ - before.time), now);
+}
+
+void TrackedObject::note_company(bool shared) {
+  together_ = shared ? together_ + 1 : 0;
+  apart_ += shared ? 0 : 1;
 }
 
 bool move_alike(const TrackedObject& a, const TrackedObject& b) {

@@ -39,6 +39,9 @@ class TrackedObject {
 
   /// Horizontal distance of p from the columns of its last view, moved to where it is now [m].
   double distance(const Eigen::Vector2d& p) const;
+  /// A view of before, wider if a part is hidden now, and how far it has gone since.
+  const View& outline_view() const { return outline_.view; }
+  Eigen::Vector2d since_outline() const { return position() - at_outline_; }
 
   /// dt [s] later, at the next scan.
   void predict(double dt) {
@@ -65,7 +68,9 @@ class TrackedObject {
 
   /// Views in which nothing else was in its segment.
   std::int64_t apart() const { return apart_; }
-  void note_apart() { ++apart_; }
+  /// Views since the last of those.
+  std::int64_t together() const { return together_; }
+  void note_company(bool shared);
 
  private:
   void judge_velocity();
@@ -75,7 +80,7 @@ class TrackedObject {
   Ingredients ingredients_;
   std::int64_t id_;
   double since_, seen_;
-  std::int64_t views_ = 1, apart_ = 1;
+  std::int64_t views_ = 1, apart_ = 1, together_ = 0;
   std::vector<Eigen::Vector3d> points_;
   View view_;
   Eigen::Vector2d at_view_;  // position when it was taken

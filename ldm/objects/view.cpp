@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace ldm {
@@ -74,6 +75,12 @@ bool View::whole() const {
     left_edge |= slice.edges[1];
   }
   return right_edge && left_edge;
+}
+
+double View::distance(const Eigen::Vector2d& p) const {
+  double least = std::numeric_limits<double>::infinity();
+  for_each_column([&](const Column& c) { least = std::min(least, (c.point - p).squaredNorm()); });
+  return std::sqrt(least);
 }
 
 Eigen::Vector2d View::centre() const {

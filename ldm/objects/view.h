@@ -40,7 +40,8 @@ struct View {
   double width() const { return (left - right) * range; }  ///< between its ends [m]
   /// Of the circle that both ends touch, world [m]: rough, but the same while a thing turns.
   Eigen::Vector2d centre() const;
-  bool whole() const;  ///< both ends are edges of some slice
+  bool whole() const;                               ///< both ends are edges of some slice
+  double distance(const Eigen::Vector2d& p) const;  ///< of p from the nearest column [m]
 
   /// Calls visit(column) for each.
   template <class Visit>

@@ -190,6 +190,34 @@ TEST_F(ObjectTrackerTest, KeepsItsNumberBehindAnother) {
   EXPECT_EQ(id(walker(44)), before);
 }
 
+/// A post that passes hides one end of a box, then its middle, then the other end.
+TEST_F(ObjectTrackerTest, WhatIsHiddenInPartHasOneNumber) {
+  const Box box{{2.5, 0, 1}, {0.3, 0.8, 1.6}};
+  for (int i = 0; i < 60; ++i) {
+    see({box, {{1, -0.9 + 0.03 * i, 1}, {0.2, 0.2, 2}}});
+    EXPECT_EQ(tracker_.objects().size(), 2u) << i;
+  }
+}
+
+/// Both are within half a metre: at first each could have moved to where the other is.
+TEST_F(ObjectTrackerTest, NeighboursAreNotTakenForOneAtFirst) {
+  for (int i = 0; i < 3; ++i) see({person(2, 0), person(2, 0.9)});
+  EXPECT_EQ(tracker_.objects().size(), 2u);
+  EXPECT_NE(id(person(2, 0)), id(person(2, 0.9)));
+}
+
+/// Apart for 8 scans, then one thing for longer.
+TEST_F(ObjectTrackerTest, PartsThatStayTogetherBecomeOne) {
+  const Box left{{2, 0.37, 1}, {0.3, 0.3, 1.6}}, right{{2, -0.37, 1}, {0.3, 0.3, 1.6}};
+  const Box between{{2, 0, 1}, {0.3, 0.5, 1.6}};
+  for (int i = 0; i < 8; ++i) see({left, right});
+  EXPECT_EQ(tracker_.objects().size(), 2u);
+  for (int i = 0; i < 8; ++i) see({left, between, right});
+  EXPECT_EQ(tracker_.objects().size(), 2u);
+  for (int i = 0; i < 3; ++i) see({left, between, right});
+  EXPECT_EQ(tracker_.objects().size(), 1u);
+}
+
 TEST_F(ObjectTrackerTest, TwoThatMeetAndPartKeepTheirNumbers) {
   // Side by side they are one segment.
   const auto first = [](int i) { return person(2.5, -1.5 + 0.1 * i); };
