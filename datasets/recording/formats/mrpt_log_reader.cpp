@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "datasets/files/gz_archive.h"
+#include "datasets/files/printable.h"
 #include "datasets/files/text.h"
 #include "datasets/quaternion_pose.h"
 #include "datasets/recording/formats/mrpt_scans.h"
@@ -28,8 +29,8 @@ ldm::Pose pose_of(const mrpt::poses::CPose3D& p) {
 
 /// Class and label of an observation.
 std::string kind_of(const CObservation& observation) {
-  return std::string(observation.GetRuntimeClass()->className) + " `" + observation.sensorLabel +
-         "`";
+  return std::string(observation.GetRuntimeClass()->className) + " `" +
+         printable(observation.sensorLabel) + "`";
 }
 
 /// A scan whose pose may not have been read yet.

@@ -106,7 +106,8 @@ void visit_parameters(
   using Info = ldm::ParameterInfo;
   constexpr std::string_view kSource = "-";
   visit(Info{"input.poses", "", "", 0, 2, kSource,
-             "poses: of the log, of its wheels (MRPT), or none: the vehicle stands still"},
+             "poses: of the log; its odometry rather than others (MRPT, bags); none: the vehicle "
+             "stands still"},
         p.poses, kPoseSourceNames);
   visit(Info{"input.poses_of", "", "", 0, 3, kSource,
              "whose poses a trajectory file holds; auto: the camera's of a calib.txt, or the "

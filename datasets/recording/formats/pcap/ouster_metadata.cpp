@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "datasets/files/printable.h"
 #include "datasets/files/text.h"
 #include "datasets/recording/scans/number_lines.h"
 #include "datasets/recording/scans/trajectory.h"
@@ -47,7 +48,7 @@ class Metadata {
     const json& value = find(key);
     if (value.is_null()) return {};
     if (!value.is_string()) reject(key + " is no text");
-    return value.get<std::string>();
+    return printable(value.get<std::string>());
   }
   std::optional<double> number(const std::string& key) const {
     const json& value = find(key);

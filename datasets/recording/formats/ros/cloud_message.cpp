@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "datasets/files/printable.h"
+
 namespace datasets {
 namespace {
 
@@ -66,7 +68,7 @@ Layout read_layout(MessageFields& fields) {
   const auto count = fields.number<std::uint32_t>();
   for (std::uint32_t i = 0; i < count; ++i) {
     Field field;
-    field.name = fields.text();
+    field.name = printable(fields.text());
     field.offset = fields.number<std::uint32_t>();
     field.type = fields.number<std::uint8_t>();
     fields.number<std::uint32_t>();  // how many

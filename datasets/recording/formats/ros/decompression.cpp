@@ -6,6 +6,8 @@
 
 #include <memory>
 
+#include "datasets/files/printable.h"
+
 namespace datasets {
 namespace {
 
@@ -57,7 +59,7 @@ std::string decompress(std::string_view name, std::string_view bytes, std::uint6
   } else if (name == "zstd") {
     good = take_zstd(bytes, plain);
   } else {
-    return "compression `" + std::string(name) + "`: allowed: none, bz2, lz4, zstd";
+    return "compression `" + printable(name) + "`: allowed: none, bz2, lz4, zstd";
   }
   return good ? "" : "a chunk that is damaged";
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "datasets/files/printable.h"
 #include "datasets/recording/formats/bytes.h"
 #include "datasets/recording/formats/record_file.h"
 #include "datasets/recording/formats/ros/decompression.h"
@@ -79,7 +80,7 @@ class McapBag : public BagFile {
   bool take(std::uint8_t operation, Bytes content, BagMessage& message) {
     if (operation == kSchema) {
       const auto id = content.number<std::uint16_t>();
-      type_of_[id] = type_without_msg(std::string(content.text()));
+      type_of_[id] = type_without_msg(printable(content.text()));
     } else if (operation == kChannel) {
       add_channel(content);
     } else if (operation == kMessage) {
@@ -97,7 +98,7 @@ class McapBag : public BagFile {
   void add_channel(Bytes content) {
     const auto id = content.number<std::uint16_t>();
     const auto schema = content.number<std::uint16_t>();
-    BagTopic topic{std::string(content.text()), type_of_[schema], MessageEncoding::kCdr};
+    BagTopic topic{printable(content.text()), type_of_[schema], MessageEncoding::kCdr};
     const std::string_view encoding = content.text();
     if (encoding == "ros1") topic.encoding = MessageEncoding::kRos1;
     std::size_t at = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "datasets/files/printable.h"
+
 namespace datasets {
 
 MessageFields::MessageFields(std::string_view bytes, MessageEncoding encoding)
@@ -33,7 +35,7 @@ void MessageFields::swap(char* bytes, std::size_t count) {
 
 std::string frame_name(std::string_view name) {
   if (name.starts_with('/')) name.remove_prefix(1);
-  return std::string(name);
+  return printable(name);
 }
 
 }  // namespace datasets

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "datasets/files/printable.h"
 #include "datasets/recording/formats/bytes.h"
 #include "datasets/recording/formats/record_file.h"
 #include "datasets/recording/formats/ros/decompression.h"
@@ -108,7 +109,7 @@ class Ros1Bag : public BagFile {
 
   /// One topic may have several: one of each publisher.
   void add_connection(const Header& header, std::string_view data) {
-    const BagTopic topic{std::string(header.text("topic")), std::string(Header(data).text("type")),
+    const BagTopic topic{printable(header.text("topic")), printable(Header(data).text("type")),
                          MessageEncoding::kRos1};
     std::size_t at = 0;
     while (at < topics_.size() && topics_[at].name != topic.name) ++at;

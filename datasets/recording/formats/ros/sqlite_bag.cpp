@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "datasets/files/printable.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/number_lines.h"
 
@@ -86,7 +87,8 @@ class SqliteBag : public BagFile {
     const Statement query = prepare("SELECT id, name, type, serialization_format FROM topics");
     while (sqlite3_step(query.get()) == SQLITE_ROW) {
       topic_of_[sqlite3_column_int64(query.get(), 0)] = topics_.size();
-      topics_.push_back({text_in(query.get(), 1), type_without_msg(text_in(query.get(), 2)),
+      topics_.push_back({printable(text_in(query.get(), 1)),
+                         type_without_msg(printable(text_in(query.get(), 2))),
                          MessageEncoding::kCdr});
       readable_.push_back(text_in(query.get(), 3) == "cdr");
     }

@@ -379,6 +379,16 @@ TEST_F(Bags, AWallScannedInMotionIsFlat) {
       std::string::npos);
 }
 
+TEST_F(Bags, LineBreaksInNamesAreNoneInMessages) {
+  Messages messages = drive(kRos1);
+  messages.push_back(cloud(kRos1, 100, {{1, 2, 3}}, {}, "/rear\npoints"));
+  EXPECT_NE(failure_of(messages).find("/rear?points"), std::string::npos);
+  options_.input.poses = PoseSource::kLog;
+  EXPECT_NE(failure_of({cloud(kRos1, 100, {{1, 2, 3}}, {}, "/points", "li\ndar")})
+                .find("has no poses of li?dar"),
+            std::string::npos);
+}
+
 TEST_F(Bags, MemoryDoesNotGrowWithTheBag) {
   const fs::path bag = write("a.bag", ros1_bag(drive(kRos1, 300), "lz4"));
   const auto source = open_recording(bag, options_);
