@@ -97,8 +97,10 @@ std::unique_ptr<FrameSource> open_recording(const fs::path& path, const Recordin
     if (!options.keep_going) return log;
     return std::make_unique<UndamagedFrames>(std::move(log));
   }
+  const bool finds_rays = format != RecordingFormat::kBag && format != RecordingFormat::kPcap;
   return std::make_unique<ScanFilter>(
-      std::make_unique<OrderedFrames>(open_reader(path, format, options), options), options.input);
+      std::make_unique<OrderedFrames>(open_reader(path, format, options), options), options.input,
+      finds_rays);
 }
 
 bool UndamagedFrames::next(Frame& frame) {

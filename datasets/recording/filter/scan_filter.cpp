@@ -36,8 +36,9 @@ void add(InputCounts::ByReason& counts, const char* reason, std::int64_t count) 
 
 }  // namespace
 
-ScanFilter::ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters)
-    : source_(std::move(source)), parameters_(parameters) {
+ScanFilter::ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters,
+                       bool finds_rays)
+    : source_(std::move(source)), parameters_(parameters), finds_rays_(finds_rays) {
   check(parameters_);
   if (parameters_.ground.removal != GroundRemoval::kNone) ground_.emplace(parameters_.ground);
 }
@@ -51,7 +52,7 @@ bool ScanFilter::next(Frame& frame) {
 }
 
 void ScanFilter::find_no_returns(ldm::Scan& scan) {
-  if (scan.no_returns.empty() && !missing_rays_.find(scan.points, scan.no_returns)) {
+  if (finds_rays_ && scan.no_returns.empty() && !missing_rays_.find(scan.points, scan.no_returns)) {
     ++counts_.no_pattern;
   }
   for (const ldm::Point& p : scan.points) {
@@ -118,7 +119,7 @@ InputCounts ScanFilter::counts() const {
   add(counts.points_dropped, "farther than input.max_range_m", counts_.far);
   add(counts.points_dropped, "on the vehicle", counts_.on_vehicle);
   add(counts.points_dropped, "on the ground", counts_.on_ground);
-  add(counts.other, "scans whose pattern of rays is not certain", counts_.no_pattern);
+  add(counts.other, MissingRays::kNotCertain, counts_.no_pattern);
   add(counts.other, InputCounts::kNoGround, counts_.no_ground);
   return counts;
 }

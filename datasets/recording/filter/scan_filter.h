@@ -16,7 +16,10 @@ namespace datasets {
 /// Another source's frames, with fewer points, and rays without a return that it does not have.
 class ScanFilter : public FrameSource {
  public:
-  ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters);
+  /// @param finds_rays false for a source that looks for rays without a return itself, since it
+  ///   knows more of its scans
+  ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters,
+             bool finds_rays = true);
 
   /// Points keep their order. To `no_returns` come rays to points beyond input.max_range_m and, if
   /// the source has none, those that MissingRays finds, unless input.no_returns = log; and those
@@ -33,6 +36,7 @@ class ScanFilter : public FrameSource {
 
   std::unique_ptr<FrameSource> source_;
   InputParameters parameters_;
+  bool finds_rays_;
   MissingRays missing_rays_;
   std::optional<GroundFinder> ground_;
   std::vector<std::uint8_t> is_ground_;

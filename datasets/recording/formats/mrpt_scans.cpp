@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "datasets/files/toml_node.h"
+#include "datasets/recording/formats/velodyne_packet.h"
 
 namespace datasets {
 namespace {
@@ -24,16 +25,22 @@ void take_points(const Cloud& x, const Cloud& y, const Cloud& z, ldm::Scan& scan
 }
 
 std::string take(CObservationVelodyneScan& velodyne, ldm::Scan& scan) {
-  CObservationVelodyneScan::TGeneratePointCloudParameters all;
-  all.minDistance = 0;
-  try {
-    velodyne.generatePointCloud(all);
-  } catch (const std::exception&) {  // whose text is several lines about MRPT's source files
-    return "its packets are none of a sensor that MRPT knows";
+  if (velodyne.scan_packets.empty()) {
+    const auto& cloud = velodyne.point_cloud;
+    take_points(cloud.x, cloud.y, cloud.z, scan);
+    return {};
   }
-  const auto& cloud = velodyne.point_cloud;
-  if (cloud.size() == 0 && !velodyne.scan_packets.empty()) return "its packets hold no points";
-  take_points(cloud.x, cloud.y, cloud.z, scan);
+  std::vector<VelodynePoint> points;
+  bool known = false;
+  for (const auto& packet : velodyne.scan_packets) {
+    known |= take_velodyne_points(packet, velodyne.calibration, points);
+  }
+  if (!known) return "its packets are none of a sensor that is known";
+  if (points.empty()) return "its packets hold no points";
+  for (const VelodynePoint& p : points) {
+    const double range = p.point.cast<double>().norm();
+    if (range >= velodyne.minRange && range <= velodyne.maxRange) scan.points.push_back(p.point);
+  }
   return {};
 }
 

@@ -5,13 +5,24 @@
 
 namespace datasets {
 
-bool MissingRays::find(const std::vector<ldm::Point>& points, std::vector<ldm::Point>& rays) {
+bool MissingRays::find(const std::vector<ldm::Point>& points, std::vector<ldm::Point>& rays,
+                       const LostAzimuths& lost) {
   angles_of(points, returns_);
-  pattern_.learn(returns_);
+  lost_ = lost;
+  learn();
   if (!pattern_.holds(returns_)) return false;
   draw();
   for (std::size_t ring = 0; ring < pattern_.slopes().size(); ++ring) fill_ring(ring, rays);
   return true;
+}
+
+void MissingRays::learn() {
+  pattern_.learn(returns_);
+  fresh_.learn(returns_);
+  if (++fresh_scans_ < kRenewed) return;
+  if (fresh_.is_certain() && !pattern_.includes(fresh_)) pattern_ = fresh_;
+  fresh_ = RayPattern();
+  fresh_scans_ = 0;
 }
 
 void MissingRays::draw() {
@@ -76,7 +87,8 @@ void MissingRays::add_rays(std::size_t ring, double azimuth, double step, int co
   double x = across * std::cos(azimuth), y = across * std::sin(azimuth);
   const double turn_x = std::cos(step), turn_y = std::sin(step);
   for (int i = 0; i < count; ++i) {
-    if (pattern_.in_view(static_cast<float>(azimuth + step * i))) {
+    const double a = azimuth + step * i;
+    if (pattern_.in_view(static_cast<float>(a)) && !lost_.contains(a)) {
       rays.push_back(Eigen::Vector3d(x, y, across * slope).cast<float>());
     }
     const double next = x * turn_x - y * turn_y;

@@ -62,6 +62,12 @@ std::vector<float> rings_of(const std::vector<Blob>& blobs) {
   return rings;
 }
 
+/// The bin with most.
+const RayPattern::Sum& commonest_of(const std::vector<RayPattern::Sum>& bins) {
+  return *std::max_element(bins.begin(), bins.end(),
+                           [](const auto& a, const auto& b) { return a.count < b.count; });
+}
+
 /// How many spacings lie between two rings, or none if that is no whole number.
 std::optional<int> spacings(float apart, float spacing) {
   constexpr float kInexact = 0.1F;
@@ -121,7 +127,8 @@ RayPattern::RayPattern()
       far_elevations_(kElevationBins),
       steps_(kStepBins),
       sectors_(kSectors),
-      rings_(kTable) {}
+      rings_(kTable),
+      scan_steps_(kStepBins) {}
 
 void RayPattern::learn(const std::vector<RayAngles>& returns) {
   const std::size_t stride = returns.size() / kMostRead + 1;
@@ -165,26 +172,30 @@ std::size_t RayPattern::ring_of(float slope) const {
 
 void RayPattern::count_steps(const std::vector<RayAngles>& returns) {
   last_azimuth_.assign(slopes_.size(), std::numeric_limits<float>::quiet_NaN());
+  scan_steps_.assign(kStepBins, {});
+  std::int64_t all = 0;
   for (const RayAngles& angles : returns) {
     sectors_[static_cast<std::size_t>(sector_of(angles.azimuth))] = 1;
     float& last = last_azimuth_[ring_of(angles.slope)];
     const float apart = std::abs(within_half_a_turn(angles.azimuth - last));
     last = angles.azimuth;
     if (!(apart >= kLeastStep && apart < kStepBin * kStepBins)) continue;
-    steps_[static_cast<std::size_t>(apart / kStepBin)].add(apart);
+    scan_steps_[static_cast<std::size_t>(apart / kStepBin)].add(apart);
+    ++all;
   }
+  for (std::size_t i = 0; i < kStepBins; ++i) steps_[i] += scan_steps_[i];
+  scan_step_ = all < kFewestSteps ? 0 : static_cast<float>(commonest_of(scan_steps_).mean());
 }
 
 /// The commonest distance, if nearly all others are multiples of it.
 void RayPattern::find_step() {
   step_ = 0;
-  const auto commonest = std::max_element(
-      steps_.begin(), steps_.end(), [](const Sum& a, const Sum& b) { return a.count < b.count; });
-  if (commonest->count == 0) return;
+  const Sum& commonest = commonest_of(steps_);
+  if (commonest.count == 0) return;
   constexpr double kAround = 0.1, kInexact = 0.2, kNearlyAll = 0.9;
   Sum near;
   for (const Sum& bin : steps_) {
-    if (bin.count > 0 && std::abs(bin.mean() / commonest->mean() - 1) < kAround) near += bin;
+    if (bin.count > 0 && std::abs(bin.mean() / commonest.mean() - 1) < kAround) near += bin;
   }
   std::int64_t all = 0, multiples = 0;
   for (const Sum& bin : steps_) {
@@ -198,19 +209,49 @@ void RayPattern::find_step() {
 }
 
 bool RayPattern::holds(const std::vector<RayAngles>& returns) const {
-  if (returns.empty() || slopes_.empty() || step_ == 0) return false;
+  if (returns.empty() || !is_certain() || (scan_step_ > 0 && !is_step(scan_step_))) return false;
   std::size_t far = 0, on_rings = 0;
+  std::vector<std::int64_t> returns_of_rings(slopes_.size());
   for (const RayAngles& angles : returns) {
     if (angles.range < kFarFromBeams) continue;
     ++far;
     const std::size_t ring = ring_of(angles.slope);
+    ++returns_of_rings[ring];
     const float off = angles.slope - slopes_[ring];
     const bool up = off > 0 ? ring + 1 < slopes_.size() : ring == 0;
     const float apart = up ? slopes_[ring + 1] - slopes_[ring] : slopes_[ring] - slopes_[ring - 1];
     on_rings += 4 * std::abs(off) < apart;
   }
   constexpr double kNearlyAll = 0.95;
-  return static_cast<double>(on_rings) >= kNearlyAll * static_cast<double>(far);
+  return static_cast<double>(on_rings) >= kNearlyAll * static_cast<double>(far) &&
+         are_neighbours(returns_of_rings);
+}
+
+bool RayPattern::includes(const RayPattern& other) const {
+  if (!is_certain() || !is_step(other.step_)) return false;
+  std::vector<std::int64_t> returns_of_rings(slopes_.size());
+  for (const float slope : other.slopes_) returns_of_rings[ring_of(slope)] = kFewestReturns;
+  return are_neighbours(returns_of_rings);
+}
+
+/// Of one mode of a sensor to another the step doubles, as a rule.
+bool RayPattern::is_step(float step) const {
+  constexpr float kSame = 0.25F;
+  return std::abs(step / step_ - 1) < kSame;
+}
+
+/// False if returns are of every other ring, or of fewer still: the others are then no rings of
+/// this sensor, or not any more.
+bool RayPattern::are_neighbours(const std::vector<std::int64_t>& returns_of_rings) const {
+  const auto used = [&](std::size_t ring) {
+    return ring < returns_of_rings.size() && returns_of_rings[ring] >= kFewestReturns;
+  };
+  std::size_t rings = 0, neighbours = 0;
+  for (std::size_t k = 0; k < returns_of_rings.size(); ++k) {
+    rings += used(k);
+    neighbours += used(k) && (used(k + 1) || (k > 0 && used(k - 1)));
+  }
+  return rings < kFewestRings || 2 * neighbours >= rings;
 }
 
 bool RayPattern::in_view(float azimuth) const {

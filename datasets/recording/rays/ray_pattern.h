@@ -8,7 +8,7 @@
 namespace datasets {
 
 /// Rings of constant elevation, fired at equal steps around the circle. Every scan adds to what is
-/// known, for as long as the sensor is the same.
+/// known; what a sensor did before its pattern changed is not forgotten here, see MissingRays.
 class RayPattern {
  public:
   /// Of angles that lie near to each other [rad].
@@ -35,9 +35,15 @@ class RayPattern {
   /// Cost: one pass over the points.
   void learn(const std::vector<RayAngles>& returns);
 
-  /// True if rings and step are certain, and `returns` lie on them: returns of a sensor that moved
-  /// during the scan do not, nor do those of one that does not spin.
+  /// True if rings and step are certain, and `returns`, which were learned last, lie on them:
+  /// returns of a sensor that moved during the scan do not, nor do those of one that does not spin,
+  /// or whose pattern is not what it was.
   bool holds(const std::vector<RayAngles>& returns) const;
+
+  /// True if rings and step are certain.
+  bool is_certain() const { return !slopes_.empty() && step_ > 0; }
+  /// True if scans of the other pattern, which is certain, may be of this one.
+  bool includes(const RayPattern& other) const;
 
   /// Tangents of the rings' elevations, ascending, with those that must lie between the ones with
   /// returns: where rings are evenly spaced, or as those of a model.
@@ -56,6 +62,8 @@ class RayPattern {
   void count_steps(const std::vector<RayAngles>& returns);
   void find_rings();
   void find_step();
+  bool is_step(float step) const;
+  bool are_neighbours(const std::vector<std::int64_t>& returns_of_rings) const;
 
   std::vector<Sum> elevations_, far_elevations_;  ///< returns by elevation
   std::vector<Sum> steps_;                        ///< by what they are
@@ -63,6 +71,8 @@ class RayPattern {
   std::vector<float> slopes_;
   std::vector<std::uint16_t> rings_;  ///< by slope, a table
   float step_ = 0;                    ///< 0: not certain
+  std::vector<Sum> scan_steps_;       ///< as steps_, of the scan that was learned last
+  float scan_step_ = 0;               ///< the commonest of these; 0: too few
   std::vector<float> last_azimuth_;   ///< of each ring, in one scan
 };
 

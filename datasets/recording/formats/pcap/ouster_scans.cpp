@@ -1,5 +1,6 @@
 #include "datasets/recording/formats/pcap/ouster_scans.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -61,6 +62,8 @@ class OusterScans : public PacketScans {
       const double azimuth = -kDegree * metadata_.azimuths[row];
       rays_.emplace_back(std::cos(altitude) * std::cos(azimuth),
                          std::cos(altitude) * std::sin(azimuth), std::sin(altitude));
+      least_azimuth_ = std::min(least_azimuth_, azimuth);
+      largest_azimuth_ = std::max(largest_azimuth_, azimuth);
     }
   }
 
@@ -80,9 +83,10 @@ class OusterScans : public PacketScans {
     const bool ends = frame_ && frame != *frame_;
     if (ends) {
       last_ = frame_;
-      std::swap(scan, scan_);
+      end(scan);
     }
     if (ends || !frame_) begin(frame, datagram);
+    captured_ = datagram.time - scan_.time;
     for (std::size_t k = 0; k < metadata_.columns_per_packet; ++k) {
       take_column(bytes + profile_.packet_header + k * column_bytes_);
     }
@@ -91,19 +95,41 @@ class OusterScans : public PacketScans {
   bool finish(PacketScan& scan) override {
     if (!frame_) return false;
     frame_.reset();
-    std::swap(scan, scan_);
+    end(scan);
     return true;
   }
 
  private:
-  static constexpr double kDegree = std::numbers::pi / 180;
+  static constexpr double kTurn = 2 * std::numbers::pi, kDegree = kTurn / 360;  // [rad]
 
   void begin(std::uint64_t frame, const Datagram& datagram) {
     frame_ = frame;
     scan_.time = datagram.time;
     scan_.points.clear();
     scan_.delays.clear();
+    scan_.clock_set = false;
+    delays_captured_.clear();
+    measured_.assign(metadata_.columns, 0);
     first_.reset();
+  }
+
+  void end(PacketScan& scan) {
+    if (scan_.clock_set) scan_.delays = delays_captured_;
+    find_lost();
+    std::swap(scan, scan_);
+  }
+
+  /// Where beams of columns that were not measured, or came with no packet, may have looked.
+  void find_lost() {
+    scan_.lost.clear();
+    const Eigen::Vector3d ahead = metadata_.T_sensor_lidar.linear().col(0);
+    const double lidar = std::atan2(ahead.y(), ahead.x());
+    const double step = kTurn / static_cast<double>(metadata_.columns);
+    for (std::size_t column = 0; column < measured_.size(); ++column) {
+      if (measured_[column] != 0) continue;
+      const double azimuth = lidar - step * static_cast<double>(column);
+      scan_.lost.add(azimuth - step / 2 + least_azimuth_, step + largest_azimuth_ - least_azimuth_);
+    }
   }
 
   void take_column(const char* column) {
@@ -113,13 +139,19 @@ class OusterScans : public PacketScans {
                               : (number_at(column + 10, 2) & 1U) != 0;
     const std::uint64_t number = number_at(column + 8, 2);
     if (!measured || number >= metadata_.columns) return;
-    // Its clock may have been set back.
+    measured_[number] = 1;
     const std::uint64_t time = number_at(column, sizeof time);
-    if (!first_) first_ = time;
-    const float delay =
-        static_cast<float>(1e-9 * static_cast<double>(static_cast<std::int64_t>(time - *first_)));
-    const double turn = 2 * std::numbers::pi *
-                        (1 - static_cast<double>(number) / static_cast<double>(metadata_.columns));
+    // The first packets of a turn may hold nothing that was measured.
+    if (!first_) {
+      first_ = time;
+      first_captured_ = captured_;
+    }
+    const double by_sensor =
+        first_captured_ + 1e-9 * static_cast<double>(static_cast<std::int64_t>(time - *first_));
+    scan_.clock_set = scan_.clock_set || was_set(by_sensor, captured_);
+    const auto delay = static_cast<float>(by_sensor);
+    const double turn =
+        kTurn * (1 - static_cast<double>(number) / static_cast<double>(metadata_.columns));
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const Eigen::Isometry3d& to_sensor = metadata_.T_sensor_lidar;
@@ -137,6 +169,7 @@ class OusterScans : public PacketScans {
         const double range = profile_.unit * static_cast<double>(bits) - before;
         scan_.points.push_back((begin + range * (turned * rays_[row])).cast<float>());
         scan_.delays.push_back(delay);
+        delays_captured_.push_back(static_cast<float>(captured_));
       }
     }
   }
@@ -144,9 +177,14 @@ class OusterScans : public PacketScans {
   OusterMetadata metadata_;
   const Profile& profile_;
   std::size_t column_bytes_, packet_bytes_;
-  std::vector<Eigen::Vector3d> rays_;          // of the rows, in the frame of a column
-  std::optional<std::uint64_t> frame_, last_;  // number of this scan, and of the one before
-  std::optional<std::uint64_t> first_;         // time of its first measured column [ns]
+  std::vector<Eigen::Vector3d> rays_;               // of the rows, in the frame of a column
+  double least_azimuth_ = 0, largest_azimuth_ = 0;  // of these [rad]
+  std::optional<std::uint64_t> frame_, last_;       // number of this scan, and of the one before
+  std::optional<std::uint64_t> first_;              // time of its first measured column [ns]
+  double captured_ = 0,
+         first_captured_ = 0;           // packets of this and that column, after the first [s]
+  std::vector<float> delays_captured_;  // of the points, by the packets [s]
+  std::vector<std::uint8_t> measured_;  // columns of this scan
   PacketScan scan_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "datasets/files/text.h"
 #include "datasets/recording/formats/pcap/pcap_contents.h"
+#include "datasets/recording/rays/scan_rays.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/deskew.h"
 #include "datasets/recording/scans/given_trajectory.h"
@@ -61,13 +62,16 @@ class PcapReader : public WaitingScanReader<WaitingTurn> {
         of_vehicle_(options.input.poses_of == PosesOf::kVehicle),
         deskew_(options.input.deskew && options.poses),
         longest_gap_(options.input.pose_gap),
-        T_uav_sensor_(mount_of(options.input.sensor)) {
+        T_uav_sensor_(mount_of(options.input.sensor)),
+        rays_(options.input.no_returns == NoReturns::kPattern) {
     if (options.poses) trajectory_.emplace(options);
   }
 
   InputCounts counts() const override {
     InputCounts counts;
     counts.other_sensors = scans_.others();
+    rays_.count(counts.other);
+    if (clock_set_ > 0) counts.other["turns in which the sensor's clock was set"] = clock_set_;
     return counts;
   }
 
@@ -100,13 +104,15 @@ class PcapReader : public WaitingScanReader<WaitingTurn> {
     scan.time = time;
     set_poses_at(time, scan);
     scan.points = std::move(waiting.scan.points);
-    scan.no_returns.clear();
+    clock_set_ += waiting.scan.clock_set;
+    TimedRays rays = rays_.of(scan.points, waiting.scan.delays, waiting.scan.lost);
     ldm::Scan moment;
     const auto sensor_at = [&](double delay) -> std::optional<ldm::Pose> {
       set_poses_at(time + delay, moment);
       return moment.T_world_sensor;
     };
-    deskew(waiting.scan.delays, scan.T_world_sensor, sensor_at, scan.points);
+    deskew(waiting.scan.delays, scan.T_world_sensor, sensor_at, scan.points, rays);
+    scan.no_returns = std::move(rays.rays);
   }
 
   /// At rest it is the vehicle that stands at the origin.
@@ -129,6 +135,8 @@ class PcapReader : public WaitingScanReader<WaitingTurn> {
   bool deskew_;
   double longest_gap_;  // [s]
   ldm::Pose T_uav_sensor_;
+  ScanRays rays_;
+  std::int64_t clock_set_ = 0;
 };
 
 std::int64_t count_scans(const fs::path& file) {

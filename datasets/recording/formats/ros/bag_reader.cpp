@@ -6,6 +6,7 @@
 #include "datasets/files/text.h"
 #include "datasets/recording/formats/ros/bag_contents.h"
 #include "datasets/recording/formats/ros/cloud_message.h"
+#include "datasets/recording/rays/scan_rays.h"
 #include "datasets/recording/scans/broken_frame.h"
 #include "datasets/recording/scans/deskew.h"
 #include "datasets/recording/scans/given_trajectory.h"
@@ -100,9 +101,14 @@ class BagReader : public WaitingScanReader<WaitingCloud> {
         trajectory_(plan_, options),
         deskew_(options.input.deskew && plan_.poses != BagPoses::kStill),
         gap_(options.input.pose_gap),
-        tell_others_(!options.points) {}
+        tell_others_(!options.points),
+        rays_(options.input.no_returns == NoReturns::kPattern) {}
 
-  InputCounts counts() const override { return counts_; }
+  InputCounts counts() const override {
+    InputCounts counts = counts_;
+    rays_.count(counts.other);
+    return counts;
+  }
 
  private:
   bool covers(const WaitingCloud& waiting) const override {
@@ -162,15 +168,16 @@ class BagReader : public WaitingScanReader<WaitingCloud> {
     std::string gap;
     if (!trajectory_.at(time, scan, gap)) reject_pose(time, gap);
     scan.points = std::move(waiting.cloud.points);
-    scan.no_returns.clear();
+    TimedRays rays = rays_.of(scan.points, waiting.cloud.delays);
     ldm::Scan moment;
     const auto sensor_at = [&](double delay) -> std::optional<ldm::Pose> {
       if (!trajectory_.at(time + delay, moment, gap)) return {};
       return moment.T_world_sensor;
     };
-    if (!deskew(waiting.cloud.delays, scan.T_world_sensor, sensor_at, scan.points)) {
+    if (!deskew(waiting.cloud.delays, scan.T_world_sensor, sensor_at, scan.points, rays)) {
       reject_pose(time, gap);
     }
+    scan.no_returns = std::move(rays.rays);
   }
 
   [[noreturn]] void reject_pose(double time, const std::string& gap) const {
@@ -185,6 +192,7 @@ class BagReader : public WaitingScanReader<WaitingCloud> {
   bool deskew_;
   double gap_;        // [s]
   bool tell_others_;  // of topics with scans that were not chosen by name
+  ScanRays rays_;
   InputCounts counts_;
 };
 

@@ -19,10 +19,11 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-/// A sensor of rings, each with 360 firings a turn.
+/// A sensor of rings, each with 360 firings a turn, or fewer.
 struct Sensor {
   double first = -15, spacing = 2;  ///< [deg]
   int rings = 16;
+  int step = 1;  ///< [deg]
 
   ldm::Point direction(int ring, int degree) const {
     const double e = kDegree * (first + spacing * ring), a = kDegree * degree;
@@ -33,7 +34,7 @@ struct Sensor {
   std::vector<ldm::Point> scan(const std::function<double(int, int)>& range_of) const {
     std::vector<ldm::Point> points;
     for (int ring = 0; ring < rings; ++ring) {
-      for (int degree = -180; degree < 180; ++degree) {
+      for (int degree = -180; degree < 180; degree += step) {
         const double range = range_of(ring, degree);
         if (range < kNothing) points.push_back(static_cast<float>(range) * direction(ring, degree));
       }
@@ -204,6 +205,85 @@ TEST(MissingRays, RingsWithoutAReturnFollowFromTheOthers) {
   const auto rays_of_other = found(missing_other, other.scan(range_of));
   EXPECT_EQ(rays_of_other.size(), 2U * 360);
   EXPECT_TRUE(has(rays_of_other, other.direction(5, 77)));
+}
+
+// What a packet that was lost would have said is not known.
+TEST(MissingRays, NothingIsSaidOfWhatWasLost) {
+  const Sensor sensor;
+  const auto points = sensor.scan([](int, int degree) {
+    return (degree >= 20 && degree < 50) || std::abs(degree) > 160 ? kNothing : 10;
+  });
+  LostAzimuths lost;
+  lost.add(29.5 * kDegree, 10 * kDegree);
+  lost.add(169.5 * kDegree, 21 * kDegree);
+  MissingRays missing;
+  std::vector<ldm::Point> rays;
+  EXPECT_TRUE(missing.find(points, rays, lost));
+  EXPECT_EQ(rays.size(), 16U * (20 + 39 - 21));
+  EXPECT_TRUE(has(rays, sensor.direction(0, 29)));
+  EXPECT_FALSE(has(rays, sensor.direction(0, 30)));
+  EXPECT_FALSE(has(rays, sensor.direction(0, 39)));
+  EXPECT_TRUE(has(rays, sensor.direction(0, 40)));
+  EXPECT_TRUE(has(rays, sensor.direction(0, 169)));
+  EXPECT_FALSE(has(rays, sensor.direction(0, -180)));
+  EXPECT_TRUE(has(rays, sensor.direction(0, -169)));
+  rays.clear();
+  EXPECT_TRUE(missing.find(points, rays));
+  EXPECT_EQ(rays.size(), 16U * (30 + 39));
+}
+
+// Steps of half and twice the width, beams elsewhere, every other beam and twice as many: after
+// the change there are no rays, or the right ones; and these from the 40th scan on at the latest.
+TEST(MissingRays, APatternThatChangesIsForgotten) {
+  const Sensor before{.first = -15, .spacing = 2, .rings = 16, .step = 2};
+  const Sensor others[] = {{.first = -15, .spacing = 2, .rings = 16, .step = 1},
+                           {.first = -15, .spacing = 2, .rings = 16, .step = 4},
+                           {.first = -14, .spacing = 2, .rings = 16, .step = 2},
+                           {.first = -14.3, .spacing = 2, .rings = 12, .step = 2},
+                           {.first = -15, .spacing = 4, .rings = 8, .step = 2},
+                           {.first = -15, .spacing = 1, .rings = 31, .step = 2}};
+  const auto range_of = [](int ring, int degree) {
+    if (degree >= 20 && degree < 60) return kNothing;
+    return degree / 4 % 2 == 0 || ring % 3 == 0 ? 12.0 : 25.0;
+  };
+  for (const Sensor& after : others) {
+    MissingRays missing;
+    for (int i = 0; i < 30; ++i) found(missing, before.scan(range_of));
+    const auto points = after.scan(range_of);
+    const auto open = static_cast<std::size_t>(after.rings) * 40 / after.step;
+    int certain = 0;
+    for (int i = 0; i < 50; ++i) {
+      std::vector<ldm::Point> rays;
+      certain += missing.find(points, rays);
+      EXPECT_EQ(rays.empty(), certain == 0);
+      const int since = std::max(0, i - 39);
+      EXPECT_GE(certain, since) << after.first << ' ' << after.spacing << ' ' << after.step;
+      if (rays.empty()) continue;
+      EXPECT_EQ(rays.size(), open) << i << ' ' << after.first << ' ' << after.step;
+      EXPECT_TRUE(has(rays, after.direction(1, 40)));
+    }
+    EXPECT_GE(certain, 10) << after.first << ' ' << after.spacing << ' ' << after.step;
+  }
+}
+
+// Scans in motion lie on no rings; with the pattern that they blur the one before comes back.
+TEST(MissingRays, AfterMotionThePatternIsFoundAgain) {
+  const Sensor sensor;
+  const auto points = sensor.scan([](int, int degree) { return degree > 90 ? kNothing : 5; });
+  MissingRays missing;
+  const std::size_t rays_before = found(missing, points).size();
+  for (int k = 0; k < 50; ++k) {
+    std::vector<ldm::Point> moved = points, rays;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      moved[i].z() += 0.002F * static_cast<float>(i % (points.size() / 16));  // 0.5 m a turn
+    }
+    EXPECT_FALSE(missing.find(moved, rays));
+  }
+  for (int k = 0; k < 40; ++k) {
+    std::vector<ldm::Point> rays;
+    missing.find(points, rays);
+  }
+  EXPECT_EQ(found(missing, points).size(), rays_before);
 }
 
 using Flag = ldm::plain::VoxelFlag;

@@ -129,6 +129,24 @@ inline std::string velodyne_packet(double degrees, double range, std::uint32_t m
   return packet + little(microseconds) + '\x37' + static_cast<char>(model);
 }
 
+/// The same, but all lasers see something range_of(azimuth) [m] away, 0 for nothing, in both
+/// firings of each block; the second is 0.2 degrees on.
+template <class RangeOf>
+std::string velodyne_sweep(double degrees, RangeOf&& range_of, std::uint32_t microseconds,
+                           unsigned char model = 0x22) {
+  std::string packet;
+  for (int block = 0; block < 12; ++block) {
+    const double azimuth = std::fmod(degrees + 0.4 * block, 360);
+    packet += std::string("\xff\xee", 2) +
+              little(static_cast<std::uint16_t>(std::lround(100 * azimuth) % 36000));
+    for (int laser = 0; laser < 32; ++laser) {
+      const double range = range_of(std::fmod(azimuth + (laser < 16 ? 0 : 0.2), 360));
+      packet += little(static_cast<std::uint16_t>(std::lround(range / 0.002))) + 'i';
+    }
+  }
+  return packet + little(microseconds) + '\x37' + static_cast<char>(model);
+}
+
 /// How one of Ouster's profiles lays out a packet.
 struct OusterForm {
   std::string profile;

@@ -6,10 +6,12 @@
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "datasets/files/gz_archive.h"
 #include "datasets/recording/formats/pcap/ouster_metadata.h"
+#include "datasets/recording/formats/pcap/ouster_scans.h"
 #include "datasets/recording/recording_info.h"
 #include "tests/datasets/recording/formats/pcap/packet_writer.h"
 #include "tests/datasets/recording/recording_folder.h"
@@ -144,7 +146,30 @@ TEST_F(Pcap, NetworksOfSeveralKinds) {
   }
 }
 
-/// MRPT keeps packets of a real VLP-16 in a log: from a network they give the same points.
+/// Two firings of 16 lasers in each block, or one of 32.
+TEST_F(Pcap, AllReturnsOfABlockArePoints) {
+  const auto range_of = [](double) { return 10.0; };
+  for (const unsigned char model : {'\x22', '\x21'}) {
+    const bool vlp16 = model == 0x22;
+    const Packets packet = sent(100, 201, 2368, velodyne_sweep(0, range_of, 0, model));
+    const auto points = frames_of(packet).at(0).scan.points;
+    ASSERT_EQ(points.size(), 12u * 32);
+    std::set<long> rings;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const ldm::Point& p = points[i];
+      const double azimuth = -std::atan2(p.y(), p.x()) / kDegree;
+      const double firing =
+          vlp16 ? 0.2 * static_cast<double>(i / 16) : 0.4 * static_cast<double>(i / 32);
+      EXPECT_GT(azimuth, firing - 1e-3) << i;
+      EXPECT_LT(azimuth, firing + (vlp16 ? 0.2 : 0.4)) << i;
+      rings.insert(std::lround(std::atan2(p.z(), std::hypot(p.x(), p.y())) / kDegree * 3));
+    }
+    EXPECT_EQ(rings.size(), vlp16 ? 16u : 32u);
+  }
+}
+
+/// MRPT keeps packets of a real VLP-16 in a log: from a network they give the same points. MRPT's
+/// own points, those of every other firing, are among them.
 TEST_F(Pcap, RealPacketsGiveThePointsOfMrptsLog) {
   const fs::path log = "/usr/share/mrpt/datasets/test_velodyne_VLP16.rawlog";
   GzArchive archive(log);
@@ -167,6 +192,16 @@ TEST_F(Pcap, RealPacketsGiveThePointsOfMrptsLog) {
   }
   ASSERT_GT(of_log.size(), 10000u);
   EXPECT_EQ(of_network, of_log);
+  observation->generatePointCloud();
+  const auto& cloud = observation->point_cloud;
+  EXPECT_NEAR(static_cast<double>(cloud.size()), 0.5 * static_cast<double>(of_log.size()), 50);
+  for (std::size_t i = 0; i < cloud.size(); i += 17) {
+    const ldm::Point p(cloud.x[i], cloud.y[i], cloud.z[i]);
+    if (p.norm() < 1.02F) continue;
+    float nearest = 1e9F;
+    for (const ldm::Point& q : of_log) nearest = std::min(nearest, (p - q).norm());
+    EXPECT_LT(nearest, 0.001F + 3e-4F * p.norm()) << i;  // MRPT rounds azimuths to 0.01 degrees
+  }
 }
 
 /// At 45 degrees a column, whose beams look to the front of the lidar where the column is 0: that
@@ -251,6 +286,124 @@ TEST_F(Pcap, ScansInMotionAreMovedToTheirTime) {
     const ldm::Point shift = moved.points[k] - as_measured.points[k];
     EXPECT_NEAR(shift.x(), 10 * time, 2e-3) << k;
     EXPECT_NEAR(shift.tail<2>().norm(), 0, 1e-4);
+  }
+}
+
+/// The sensor's clock is set half-way through the second of three turns: times of that turn are
+/// those of the capture, and points lie where they would.
+TEST_F(Pcap, AClockThatIsSetDuringATurn) {
+  options_.input.no_returns = NoReturns::kLog;
+  options_.input.poses = PoseSource::kLog;
+  options_.poses = write("slam.tum", "99 0 0 0 0 0 0 1\n100 10 0 0 0 0 0 1\n101 20 0 0 0 0 0 1\n");
+  options_.input.pose_gap = 2;
+  const std::vector<Frame> right = frames_of(velodyne_turns(3));
+  EXPECT_TRUE(counts_.other.empty());
+  for (const double step : {-0.02, -40.0, 7.0, -1900.0, 1900.0}) {
+    Packets packets;
+    for (int k = 0; k < 75 * 3; ++k) {
+      const double clock = 2000 + 0.1 / 75 * k + (k < 75 + 37 ? 0 : step);
+      add(packets, sent(100 + 0.1 / 75 * k, 201, 2368,
+                        velodyne_packet(std::fmod(4.8 * k, 360), 10 + k / 75,
+                                        static_cast<std::uint32_t>(std::lround(1e6 * clock)))));
+    }
+    const std::vector<Frame> all = frames_of(packets);
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(counts_.other,
+              (InputCounts::ByReason{{"turns in which the sensor's clock was set", 1}}));
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+      for (std::size_t k = 0; k < 900; ++k) {
+        const auto& points = all[turn].scan.points;
+        EXPECT_LT((points[k] - right[turn].scan.points[k]).norm(), 1e-3F) << turn << ' ' << k;
+      }
+    }
+  }
+}
+
+/// The recording begins at 90 degrees of a turn and ends at 180 of the fourth; in the third,
+/// packets are lost from 192 to 216 degrees. Nothing is from 101 to 139 degrees: there rays met
+/// nothing.
+TEST_F(Pcap, WhatIsMissingIsNotWhatMetNothing) {
+  const auto range_of = [](double degrees) { return degrees > 101 && degrees < 139 ? 0.0 : 10.0; };
+  Packets packets;
+  for (int k = 19; k < 3 * 75 + 37; ++k) {
+    const double degrees = std::fmod(4.8 * k, 360);
+    if (k / 75 == 2 && degrees > 191 && degrees < 216) continue;
+    add(packets, sent(100 + 0.1 / 75 * k, 201, 2368,
+                      velodyne_sweep(degrees, range_of, static_cast<std::uint32_t>(1e5 / 75 * k))));
+  }
+  const std::vector<Frame> all = frames_of(packets);
+  ASSERT_EQ(all.size(), 4u);
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    // Of 190 firings, in each ring; the lasers of a firing look a little further one by one.
+    EXPECT_NEAR(static_cast<double>(all[turn].scan.no_returns.size()), 16 * 190, 16 * 3) << turn;
+    for (const ldm::Point& ray : all[turn].scan.no_returns) {
+      const double degrees = std::fmod(720 - std::atan2(ray.y(), ray.x()) / kDegree, 360);
+      EXPECT_TRUE(degrees > 100 && degrees < 140) << turn << ' ' << degrees;
+    }
+  }
+  EXPECT_TRUE(counts_.other.empty());
+}
+
+/// Of the eight columns, 45 degrees each, whose first beam looks 10 degrees to the left of the
+/// second one; column 0 looks to the sensor's back.
+TEST_F(Pcap, ColumnsOfAnOusterSensorThatAreMissing) {
+  const OusterForm& form = ouster_forms()[1];
+  const auto scans = ouster_scans(write("a.json", ouster_metadata(form.profile)));
+  PacketScan scan;
+  const auto take = [&](std::uint16_t frame, int first, std::uint64_t time, bool begins = true) {
+    std::vector<OusterColumn> columns;
+    for (int c = 0; c < 4; ++c) {
+      columns.push_back({time + 12'500'000 * static_cast<std::uint64_t>(c),
+                         static_cast<std::uint16_t>(first + c), 4000, 4000, c > 0 || begins});
+    }
+    const std::string payload = ouster_packet(form, frame, columns);
+    return scans->take({100 + 0.1 * frame + 0.0125 * first, "192.168.1.200", 7502, payload}, scan);
+  };
+  EXPECT_FALSE(take(1, 0, 7'000'000'000));
+  EXPECT_FALSE(take(1, 4, 7'050'000'000));
+  EXPECT_TRUE(take(2, 4, 7'150'000'000));
+  for (int degrees = -180; degrees < 180; ++degrees) {
+    EXPECT_FALSE(scan.lost.contains(kDegree * degrees)) << degrees;
+  }
+  // The first half of the second turn was lost: beams of columns 0 to 3.
+  EXPECT_TRUE(take(3, 0, 7'200'000'000, false));
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    const bool lost = degrees > 22.5 && degrees < 212.5;
+    EXPECT_EQ(scan.lost.contains(kDegree * (degrees + 0.1)), lost) << degrees;
+  }
+  EXPECT_EQ(scan.delays.front(), 0);
+  // The first column of the third was not measured.
+  EXPECT_FALSE(take(3, 4, 7'250'000'000));
+  EXPECT_TRUE(scans->finish(scan));
+  EXPECT_EQ(scan.points.size(), 14u);
+  EXPECT_TRUE(scan.lost.contains(kDegree * 180));
+  EXPECT_FALSE(scan.lost.contains(kDegree * 220));
+  EXPECT_EQ(scan.delays.front(), 0);
+  EXPECT_NEAR(scan.delays.back(), 0.075, 1e-6);
+}
+
+/// Packets in which nothing was measured count for the time of those that follow.
+TEST_F(Pcap, AnOusterTurnWhoseFirstPacketsMeasuredNothing) {
+  const OusterForm& form = ouster_forms()[1];
+  for (const bool set : {false, true}) {
+    const auto scans = ouster_scans(write("a.json", ouster_metadata(form.profile)));
+    const std::uint64_t late = set ? 900'000'000'000 : 0;  // another clock from the sixth column on
+    std::vector<OusterColumn> nothing(4, OusterColumn{0, 0, 0, 0, false});
+    const std::vector<OusterColumn> half = {{7'050'000'000, 4, 4000, 4000},
+                                            {7'062'500'000 + late, 5, 4000, 4000},
+                                            {7'075'000'000 + late, 6, 4000, 4000},
+                                            {7'087'500'000 + late, 7, 4000, 4000}};
+    PacketScan scan;
+    const std::string first = ouster_packet(form, 1, nothing),
+                      second = ouster_packet(form, 1, half);
+    scans->take({100, "192.168.1.200", 7502, first}, scan);
+    scans->take({100.05, "192.168.1.200", 7502, second}, scan);
+    ASSERT_TRUE(scans->finish(scan));
+    EXPECT_EQ(scan.time, 100);
+    EXPECT_EQ(scan.clock_set, set);
+    ASSERT_EQ(scan.delays.size(), 8u);
+    EXPECT_NEAR(scan.delays[0], 0.05, 1e-6);
+    EXPECT_NEAR(scan.delays[7], set ? 0.05 : 0.0875, 1e-6);
   }
 }
 
