@@ -1,6 +1,9 @@
 #include "ldm/clustering.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include "ldm/log_odds.h"
 
@@ -27,6 +30,36 @@ void Clustering::find(const RingBuffer<float>& log_odds) {
   connect_rows();
   measure(log_odds.index().window());
   group_runs();
+}
+
+void Clustering::join(std::vector<std::int32_t>& group, const VoxelBox& window) {
+  // The first cluster of each group, or else the cluster itself.
+  std::map<std::int32_t, std::int32_t> first_of;
+  std::vector<std::int32_t> target(group.size());
+  bool any = false;
+  for (std::size_t c = 0; c < group.size(); ++c) {
+    const auto own = static_cast<std::int32_t>(c);
+    target[c] = group[c] < 0 ? own : first_of.try_emplace(group[c], own).first->second;
+    any |= target[c] != own;
+  }
+  if (!any) return;
+  const auto place = [](const Run& run) { return std::tuple(run.z, run.y, run.x_begin); };
+  std::sort(runs_.begin(), runs_.end(),
+            [&](const Run& a, const Run& b) { return place(a) < place(b); });
+  std::vector<std::int32_t> root_of(group.size(), -1), groups;
+  parent_.clear();
+  for (const Run& run : runs_) {
+    const auto cluster = static_cast<std::size_t>(run.cluster);
+    std::int32_t& root = root_of[static_cast<std::size_t>(target[cluster])];
+    if (root < 0) {
+      root = static_cast<std::int32_t>(parent_.size());
+      groups.push_back(group[cluster]);
+    }
+    parent_.push_back(root);
+  }
+  measure(window);
+  group_runs();
+  group = std::move(groups);
 }
 
 void Clustering::add_run(int x_begin, int x_end, int y, int z) {

@@ -29,6 +29,12 @@ class Clustering {
   /// the runs of occupied voxels.
   void find(const RingBuffer<float>& log_odds);
 
+  /// Make the clusters of each group one, wherever they are; -1 is no group. Velocities are zero
+  /// again.
+  /// @param group per cluster; changed to that of the new ones. Cost: n log n in the runs, if any
+  /// join
+  void join(std::vector<std::int32_t>& group, const VoxelBox& window);
+
   /// Log-odds above which a voxel is occupied.
   float threshold() const { return threshold_; }
   /// All runs, cluster after cluster, each in window order.

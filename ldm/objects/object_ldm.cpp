@@ -81,34 +81,48 @@ void ObjectLdm::occupy_seen() {
   }
 }
 
-/// A cluster is the object most of whose returns are in it; where that is hidden, its last ones,
-/// moved on.
-void ObjectLdm::set_clusters() {
+/// Per cluster the object that has most returns in it, as position in `objects`, or -1; where an
+/// object is hidden, its last returns, moved on, count.
+std::vector<std::int32_t> ObjectLdm::object_of_clusters() {
   const RingIndex& index = log_odds_.index();
-  std::vector<Cluster>& clusters = clustering_.clusters();
+  const std::size_t clusters = clustering_.clusters().size();
   std::fill(cluster_at_.begin(), cluster_at_.end(), -1);
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
+  for (std::size_t c = 0; c < clusters; ++c) {
     for_each_slot(index, clustering_.runs_of(c),
                   [&](std::size_t slot) { cluster_at_[slot] = static_cast<std::int32_t>(c); });
   }
-  std::vector<std::int64_t> most(clusters.size(), 0);
-  for (const TrackedObject& object : tracker_.objects()) {
+  std::vector<std::int64_t> most(clusters, 0);
+  std::vector<std::int32_t> best(clusters, -1);
+  const std::vector<TrackedObject>& objects = tracker_.objects();
+  for (std::size_t t = 0; t < objects.size(); ++t) {
     std::map<std::int32_t, std::int64_t> returns;  // per cluster
-    for (Eigen::Vector3d p : object.points()) {
-      p.head<2>() += object.seen() < *time_ ? object.since_view() : Eigen::Vector2d::Zero();
+    for (Eigen::Vector3d p : objects[t].points()) {
+      p.head<2>() += objects[t].seen() < *time_ ? objects[t].since_view() : Eigen::Vector2d::Zero();
       const VoxelIndex v = voxel_at(p, parameters_.map.resolution);
       if (index.window().contains(v)) ++returns[cluster_at_[index.slot(v)]];
     }
     for (const auto& [c, n] : returns) {
       if (c < 0 || n <= most[static_cast<std::size_t>(c)]) continue;
       most[static_cast<std::size_t>(c)] = n;
-      Cluster& cluster = clusters[static_cast<std::size_t>(c)];
-      cluster.id = object.id();
-      cluster.age = *time_ - object.since();
-      cluster.velocity << object.velocity().cast<float>(), 0;
-      cluster.velocity_covariance = object.velocity_covariance().cast<float>();
-      cluster.dynamic = object.dynamic();
+      best[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(t);
     }
+  }
+  return best;
+}
+
+/// What is seen in pieces is one cluster all the same.
+void ObjectLdm::set_clusters() {
+  std::vector<std::int32_t> owners = object_of_clusters();
+  clustering_.join(owners, log_odds_.index().window());
+  for (std::size_t c = 0; c < owners.size(); ++c) {
+    if (owners[c] < 0) continue;
+    const TrackedObject& object = tracker_.objects()[static_cast<std::size_t>(owners[c])];
+    Cluster& cluster = clustering_.clusters()[c];
+    cluster.id = object.id();
+    cluster.age = *time_ - object.since();
+    cluster.velocity << object.velocity().cast<float>(), 0;
+    cluster.velocity_covariance = object.velocity_covariance().cast<float>();
+    cluster.dynamic = object.dynamic();
   }
 }
 

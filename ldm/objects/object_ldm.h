@@ -32,6 +32,7 @@ class ObjectLdm final : public Mapper {
  private:
   void track(const Scan& scan);
   void occupy_seen();
+  std::vector<std::int32_t> object_of_clusters();
   void set_clusters();
 
   Parameters parameters_;

@@ -40,6 +40,33 @@ TEST_F(ClusteringTest, VoxelsTouchAcrossFacesEdgesAndCorners) {
   EXPECT_EQ(find({{0, 0, 0}, {1, 0, -2}}).size(), 2u);
 }
 
+/// Two of three clusters are one group: their mean, their extent, in window order.
+TEST_F(ClusteringTest, JoinsGroupsByHand) {
+  ASSERT_EQ(find({{-2, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}}).size(), 3u);
+  std::vector<std::int32_t> group{7, -1, 7};
+  clustering_.join(group, VoxelBox{{-4, -4, -4}, {9, 9, 9}});
+  EXPECT_EQ(group, (std::vector<std::int32_t>{7, -1}));
+  const std::vector<Cluster>& joined = clustering_.clusters();
+  ASSERT_EQ(joined.size(), 2u);
+  EXPECT_EQ(joined[0].voxels, 3);
+  // Centres (-0.75, 0.25), (1.25, 0.25), (1.25, 0.75) m.
+  EXPECT_TRUE(joined[0].position.isApprox(Point(1.75F / 3, 1.25F / 3, 0.25F)));
+  EXPECT_EQ(joined[0].size, Point(2.5F, 1, 0.5F));
+  EXPECT_EQ(joined[1].voxels, 1);
+  ASSERT_EQ(clustering_.runs_of(0).size(), 3u);
+  EXPECT_EQ(clustering_.runs_of(0)[0].x_begin, 2);
+  EXPECT_EQ(clustering_.runs_of(0)[2].y, 5);
+  EXPECT_EQ(clustering_.runs_of(1)[0].x_begin, 4);
+}
+
+TEST_F(ClusteringTest, JoinsNothingWithoutGroups) {
+  find({{-2, 0, 0}, {0, 0, 0}});
+  std::vector<std::int32_t> group{-1, 3};
+  clustering_.join(group, VoxelBox{{-4, -4, -4}, {9, 9, 9}});
+  EXPECT_EQ(group, (std::vector<std::int32_t>{-1, 3}));
+  EXPECT_EQ(clustering_.clusters().size(), 2u);
+}
+
 TEST_F(ClusteringTest, PositionSizeAndVoxelsByHand) {
   // An L of three voxels: centres (0.25, 0.25, 0.25), (0.75, 0.25, 0.25), (0.25, 0.75, 0.75) m.
   const std::vector<Cluster>& clusters = find({{0, 0, 0}, {1, 0, 0}, {0, 1, 1}});

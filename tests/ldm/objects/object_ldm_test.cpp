@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ldm/local_dynamic_map.h"
 #include "tests/ldm/box_scans.h"
 
@@ -74,6 +76,24 @@ TEST(ObjectLdm, ClustersHaveTheVelocityOfTheirObject) {
     }
   }
   EXPECT_EQ(moving, 1);
+}
+
+/// A post hides the middle of a box: its ends are one cluster, as they are one object.
+TEST(ObjectLdm, PiecesOfAnObjectAreOneCluster) {
+  ObjectLdm mapper(parameters());
+  LocalMap map;
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Box> boxes{{{1.8, 0, 0.1}, {0.2, 1.2, 1}},
+                                 {{1, 1 - 0.05 * i, 0.1}, {0.15, 0.15, 1.4}}};
+    mapper.update(scan_of(boxes, 0.1 * i, {0.075, 0.075, 0.075}));
+  }
+  mapper.read(map);
+  std::vector<std::int64_t> ids;
+  for (const Cluster& cluster : map.clusters) {
+    if (cluster.id != 0) ids.push_back(cluster.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2}));
 }
 
 /// The map moves an object while nothing is seen of it.
