@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace datasets {
@@ -13,6 +14,14 @@ using Laser = mrpt::obs::VelodyneCalibration::PerLaserCalib;
 
 constexpr int kTurn = Scan::ROTATION_MAX_UNITS;  // [0.01 deg]
 constexpr double kDegree = std::numbers::pi / 180;
+
+/// A distance in units of 2 mm. MRPT's own way to it is by a reference, for which most are not
+/// aligned.
+unsigned distance_of(const Scan::laser_return_t& laser_return) {
+  std::uint16_t distance = 0;
+  std::memcpy(&distance, &laser_return, sizeof distance);
+  return distance;
+}
 
 /// How the returns of a block lie in it, and when they are fired, in parts of the time between two
 /// blocks.
@@ -73,9 +82,9 @@ bool take_velodyne_points(const Packet& packet, const mrpt::obs::VelodyneCalibra
       const auto firing = static_cast<double>(k / model->lasers);
       const auto place = static_cast<double>(laser - bank);
       const Laser& correction = calibration.laser_corrections[laser];
-      if (block.laser_returns[k].distance() == 0) continue;
-      const double range =
-          0.002 * block.laser_returns[k].distance() + correction.distanceCorrection;
+      const unsigned distance = distance_of(block.laser_returns[k]);
+      if (distance == 0) continue;
+      const double range = 0.002 * distance + correction.distanceCorrection;
       const double azimuth =
           0.01 *
           (block.rotation() + step * (firing * model->per_firing + place * model->per_laser));

@@ -2,6 +2,7 @@
 #include "datasets/recording/formats/pcd_reader.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <limits>
 
@@ -59,6 +60,39 @@ TEST_F(PcdFolder, WithoutPosesTheSensorMustStandStillAndHaveTimes) {
   EXPECT_NE(failure().find("input.poses = still: needs times"), std::string::npos);
   write("times.txt", "0\n0.1\n0.2\n");
   EXPECT_EQ(frames().size(), 3u);
+}
+
+/// At rest it is the vehicle that stands at the origin, level: the sensor sits on it.
+TEST_F(PcdFolder, ASensorAtRestSitsOnTheVehicle) {
+  options_.input.poses = PoseSource::kStill;
+  options_.input.sensor.z = 2;
+  options_.input.sensor.roll = 180;
+  write("times.txt", "0\n0.1\n0.2\n");
+  const ldm::Scan scan = frames().at(0).scan;
+  EXPECT_EQ(scan.T_world_uav.translation, Eigen::Vector3d::Zero());
+  EXPECT_TRUE(scan.T_world_sensor.translation.isApprox(Eigen::Vector3d(0, 0, 2)));
+  const Eigen::Matrix3d upside_down = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  EXPECT_TRUE(scan.T_world_sensor.rotation.isApprox(upside_down, 1e-12));
+}
+
+TEST_F(PcdFolder, AScanThatMayNotBeReadIsCounted) {
+  write("poses.txt", kTum);
+  fs::permissions(folder_, fs::perms::all);
+  fs::permissions(folder_ / "scan2.pcd", fs::perms::none);
+  const uid_t user = geteuid();
+  if (user == 0) {
+    ASSERT_EQ(seteuid(65534), 0);  // root reads everything
+  }
+  const std::string refused = failure();
+  options_.keep_going = true;
+  const std::size_t read = frames().size();
+  if (user == 0) {
+    ASSERT_EQ(seteuid(user), 0);
+  }
+  EXPECT_NE(refused.find("scan2.pcd: cannot be read (Permission denied)"), std::string::npos)
+      << refused;
+  EXPECT_EQ(read, 2u);
+  EXPECT_EQ(counts_.frames_skipped, (InputCounts::ByReason{{"unreadable scan", 1}}));
 }
 
 TEST_F(PcdFolder, NonFinitePointsAreDroppedAndCounted) {
