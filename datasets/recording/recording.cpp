@@ -97,10 +97,12 @@ std::unique_ptr<FrameSource> open_recording(const fs::path& path, const Recordin
     if (!options.keep_going) return log;
     return std::make_unique<UndamagedFrames>(std::move(log));
   }
-  const bool finds_rays = format != RecordingFormat::kBag && format != RecordingFormat::kPcap;
+  RaysToFind rays = RaysToFind::kAll;
+  if (format == RecordingFormat::kBag) rays = RaysToFind::kOfGaps;
+  if (format == RecordingFormat::kPcap) rays = RaysToFind::kNone;
   return std::make_unique<ScanFilter>(
       std::make_unique<OrderedFrames>(open_reader(path, format, options), options), options.input,
-      finds_rays);
+      rays);
 }
 
 bool UndamagedFrames::next(Frame& frame) {

@@ -37,23 +37,28 @@ void add(InputCounts::ByReason& counts, const char* reason, std::int64_t count) 
 }  // namespace
 
 ScanFilter::ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters,
-                       bool finds_rays)
-    : source_(std::move(source)), parameters_(parameters), finds_rays_(finds_rays) {
+                       RaysToFind rays)
+    : source_(std::move(source)), parameters_(parameters), rays_(rays) {
   check(parameters_);
   if (parameters_.ground.removal != GroundRemoval::kNone) ground_.emplace(parameters_.ground);
 }
 
 bool ScanFilter::next(Frame& frame) {
   if (!source_->next(frame)) return false;
-  if (parameters_.no_returns == NoReturns::kPattern) find_no_returns(frame.scan);
+  if (parameters_.no_returns != NoReturns::kLog) find_no_returns(frame.scan);
   drop_out_of_place(frame);
   if (ground_) drop_ground(frame);
   return true;
 }
 
 void ScanFilter::find_no_returns(ldm::Scan& scan) {
-  if (finds_rays_ && scan.no_returns.empty() && !missing_rays_.find(scan.points, scan.no_returns)) {
-    ++counts_.no_pattern;
+  if (scan.no_returns.empty() && rays_ != RaysToFind::kNone) {
+    const bool certain =
+        rays_ == RaysToFind::kAll && missing_rays_.find(scan.points, scan.no_returns);
+    if (!certain && parameters_.no_returns == NoReturns::kGaps) {
+      gap_rays_.find(scan.points, scan.no_returns);
+    }
+    counts_.no_pattern += rays_ == RaysToFind::kAll && !certain;
   }
   for (const ldm::Point& p : scan.points) {
     const double range = p.cast<double>().norm();

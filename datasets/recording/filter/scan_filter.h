@@ -8,22 +8,28 @@
 
 #include "datasets/frame.h"
 #include "datasets/recording/filter/ground_removal.h"
+#include "datasets/recording/rays/gap_rays.h"
 #include "datasets/recording/rays/missing_rays.h"
 #include "datasets/recording/scans/input_parameters.h"
 
 namespace datasets {
 
+/// What of rays without a return is left to find in a source's scans.
+enum class RaysToFind {
+  kAll,
+  kOfGaps,  ///< the source has looked for a pattern, before it moved the points
+  kNone,    ///< the source knows as well where nothing was measured
+};
+
 /// Another source's frames, with fewer points, and rays without a return that it does not have.
 class ScanFilter : public FrameSource {
  public:
-  /// @param finds_rays false for a source that looks for rays without a return itself, since it
-  ///   knows more of its scans
   ScanFilter(std::unique_ptr<FrameSource> source, const InputParameters& parameters,
-             bool finds_rays = true);
+             RaysToFind rays = RaysToFind::kAll);
 
   /// Points keep their order. To `no_returns` come rays to points beyond input.max_range_m and, if
-  /// the source has none, those that MissingRays finds, unless input.no_returns = log; and those
-  /// that end on the ground, if input.ground.rays = free.
+  /// the source has none, those that MissingRays or GapRays find, as input.no_returns says; and
+  /// those that end on the ground, if input.ground.rays = free.
   bool next(Frame& frame) override;
   std::optional<std::int64_t> size() const override { return source_->size(); }
   /// The source's, and points by the reason for which they were dropped.
@@ -36,7 +42,8 @@ class ScanFilter : public FrameSource {
 
   std::unique_ptr<FrameSource> source_;
   InputParameters parameters_;
-  bool finds_rays_;
+  RaysToFind rays_;
+  GapRays gap_rays_;
   MissingRays missing_rays_;
   std::optional<GroundFinder> ground_;
   std::vector<std::uint8_t> is_ground_;

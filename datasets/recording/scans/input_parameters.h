@@ -53,8 +53,9 @@ inline constexpr std::string_view kGroundRaysNames[] = {"free", "drop"};
 enum class NoReturns {
   kPattern,  ///< found in the sensor's pattern where that is certain (see MissingRays)
   kLog,      ///< the recording alone
+  kGaps,     ///< as kPattern; where none is certain, gaps between the points (see GapRays)
 };
-inline constexpr std::string_view kNoReturnsNames[] = {"pattern", "log"};
+inline constexpr std::string_view kNoReturnsNames[] = {"pattern", "log", "gaps"};
 
 /// What a 0 in the range image of an MRPT rotating scan says.
 enum class ZeroRanges { kNothing, kNoReturn };
@@ -154,9 +155,9 @@ void visit_parameters(
   visit(Info{"input.max_range_m", "", "m", 0.1, 100000, kSource, "farther points are left out"},
         p.max_range);
 
-  visit(Info{"input.no_returns", "", "", 0, 1, kSource,
-             "rays without a return: found by the sensor's pattern where that is certain, or those "
-             "of the recording alone"},
+  visit(Info{"input.no_returns", "", "", 0, 2, kSource,
+             "rays without a return: found by the sensor's pattern where that is certain, else by "
+             "gaps between the points if so told, or those of the recording alone"},
         p.no_returns, kNoReturnsNames);
 
   visit(Info{"input.ground.removal", "", "", 0, 2, "Sec. 4.2.1, way assumed",

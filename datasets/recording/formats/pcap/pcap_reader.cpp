@@ -63,7 +63,7 @@ class PcapReader : public WaitingScanReader<WaitingTurn> {
         deskew_(options.input.deskew && options.poses),
         longest_gap_(options.input.pose_gap),
         T_uav_sensor_(mount_of(options.input.sensor)),
-        rays_(options.input.no_returns == NoReturns::kPattern) {
+        rays_(options.input.no_returns != NoReturns::kLog) {
     if (options.poses) trajectory_.emplace(options);
   }
 

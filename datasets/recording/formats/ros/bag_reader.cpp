@@ -102,7 +102,7 @@ class BagReader : public WaitingScanReader<WaitingCloud> {
         deskew_(options.input.deskew && plan_.poses != BagPoses::kStill),
         gap_(options.input.pose_gap),
         tell_others_(!options.points),
-        rays_(options.input.no_returns == NoReturns::kPattern) {}
+        rays_(options.input.no_returns != NoReturns::kLog) {}
 
   InputCounts counts() const override {
     InputCounts counts = counts_;

@@ -139,6 +139,33 @@ TEST(ScanFilter, RaysWithoutAReturnAreFoundUnlessTheRecordingHasThem) {
   EXPECT_EQ(filtered(scan, parameters).scan.no_returns, scan.no_returns);
 }
 
+/// A scan in which points do not lie on rings: nothing, or gaps if told so, but not where the
+/// source knows better.
+TEST(ScanFilter, GapsAreRaysWithoutAReturnIfToldSo) {
+  ldm::Scan scan = scan_with_a_gap();
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    scan.points[i].z() += 0.08F * std::sin(static_cast<float>(i));
+  }
+  InputParameters parameters;
+  EXPECT_TRUE(filtered(scan, parameters).scan.no_returns.empty());
+  parameters.no_returns = NoReturns::kGaps;
+  const Filtered result = filtered(scan, parameters);
+  EXPECT_GT(result.scan.no_returns.size(), 100u);
+  for (const ldm::Point& ray : result.scan.no_returns) {
+    EXPECT_NEAR(std::atan2(ray.y(), ray.x()) * 180 / std::numbers::pi, 14.5, 15);
+  }
+  EXPECT_EQ(result.counts.other,
+            (InputCounts::ByReason{{"scans whose pattern of rays is not certain", 1}}));
+  for (const RaysToFind rays : {RaysToFind::kOfGaps, RaysToFind::kNone}) {
+    ScanFilter filter(std::make_unique<OneScan>(scan), parameters, rays);
+    Frame frame;
+    EXPECT_TRUE(filter.next(frame));
+    EXPECT_EQ(frame.scan.no_returns.size(),
+              rays == RaysToFind::kNone ? 0 : result.scan.no_returns.size());
+    EXPECT_TRUE(filter.counts().other.empty());
+  }
+}
+
 // What is left out as too near, or on the vehicle, returned all the same.
 TEST(ScanFilter, APointThatIsLeftOutIsNoRayWithoutAReturn) {
   InputParameters parameters;

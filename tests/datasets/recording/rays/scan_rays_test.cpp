@@ -11,6 +11,7 @@
 #include "datasets/frame.h"
 #include "datasets/random.h"
 #include "datasets/recording/rays/firing_times.h"
+#include "datasets/recording/rays/gap_rays.h"
 #include "ldm/plain/measurement_flags.h"
 
 namespace datasets {
@@ -105,7 +106,7 @@ struct Found {
 /// Scans of 0.1 s by 32 rings of 512 firings, of a sensor that moves at `speed` [m/s] and turns at
 /// `turn` [rad/s] among boxes; their time is in the middle. Counted are voxels that true rays make
 /// free (each from where it was fired) and returns alone do not, and those that found ones do.
-Found found_at(double speed, double turn) {
+Found found_at(double speed, double turn, bool gaps = false) {
   const Boxes boxes = boxes_around();
   ScanRays missing(true);
   Found result;
@@ -150,6 +151,10 @@ Found found_at(double speed, double turn) {
     scan.T_world_sensor = scan.T_world_uav = *sensor_at(0);
     TimedRays rays = missing.of(scan.points, delays);
     EXPECT_TRUE(deskew(delays, scan.T_world_sensor, sensor_at, scan.points, rays));
+    if (gaps) {
+      rays.rays.clear();
+      EXPECT_TRUE(GapRays().find(scan.points, rays.rays));
+    }
     result.rays += rays.rays.size();
     if (i < 5) continue;
     const std::vector<Flag> without = flags_of(scan);
@@ -186,6 +191,23 @@ TEST(ScanRays, OfASensorInMotionMarkTheSameSpaceFree) {
     EXPECT_GT(found.recovered_share(), speed < 2 ? 0.95 : 0.93) << speed << ' ' << turn;
     EXPECT_LT(found.solid_share(), 0.001) << speed << ' ' << turn;
   }
+}
+
+// Gaps of scans that were moved, of which nothing tells when the points were measured.
+TEST(GapRays, OfASensorInMotionMarkMostOfTheSameSpaceFree) {
+  const std::pair<double, double> motions[] = {{0, 0}, {1.5, 0.7}, {5, 0.3}, {10, 0}};
+  for (const auto& [speed, turn] : motions) {
+    const Found found = found_at(speed, turn, true);
+    EXPECT_GT(found.recovered_share(), 0.85) << speed << ' ' << turn;
+    EXPECT_LT(found.solid_share(), 0.0001) << speed << ' ' << turn;
+  }
+}
+
+TEST(GapRays, OfFewPointsAreNone) {
+  std::vector<ldm::Point> rays;
+  EXPECT_FALSE(GapRays().find({}, rays));
+  EXPECT_FALSE(GapRays().find(std::vector<ldm::Point>(5000, ldm::Point(3, 0, 0)), rays));
+  EXPECT_TRUE(rays.empty());
 }
 
 // At 20 m/s the sensor is farther than 0.3 m from where it is at the scan's time, but for a third.
