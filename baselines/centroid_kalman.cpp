@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "ldm/scan_check.h"
-
 namespace baselines {
 namespace {
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Callable, Sequence
 
 from analysis.data.errors import InputError
-from analysis.data.records import Study
+from analysis.data.records import Study, load_study
 
 
 def parser(doc: str, study: str) -> argparse.ArgumentParser:
@@ -56,10 +56,15 @@ def add_method(made: argparse.ArgumentParser, default: str) -> None:
     )
 
 
-def report_notes(study: Study) -> None:
-    """Print what the study lacks on stderr: a table with gaps never goes unannounced."""
+def study_of(args: argparse.Namespace, methods: Sequence[str] = (), swept: bool = True) -> Study:
+    """The study that --results and --study name, with a sweep only if `swept`. Prints what it lacks on
+    stderr: a table with gaps never goes unannounced."""
+    study = load_study(args.results, args.study, methods)
+    if not swept:
+        study.require_no_sweep()
     for note in study.notes:
         print(f"{study.folder}: {note}", file=sys.stderr)
+    return study
 
 
 def run(main: Callable[[Sequence[str] | None], None], argv: Sequence[str] | None = None) -> int:

@@ -17,8 +17,8 @@ from typing import Sequence
 
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import parser, report_notes, run
-from analysis.data.records import Study, load_study
+from analysis.data.command_line import parser, run, study_of
+from analysis.data.records import Study
 from analysis.figures.figure_style import GREY, PAGE_WIDTH, legend_above, method_styles, new_figure, save
 from analysis.tables.avoidance_table import arms, success, write_table
 
@@ -86,8 +86,7 @@ def draw(study: Study, folder: Path) -> list[Path]:
 
 def main(argv: Sequence[str] | None = None) -> None:
     args = parser(__doc__, "avoidance").parse_args(argv)
-    study = load_study(args.results, args.study)
-    report_notes(study)
+    study = study_of(args)
     print(write_table(study))
     if len(study.points) > 1:
         return  # a sweep is a table alone

@@ -21,11 +21,11 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import parser, report_notes, run
+from analysis.data.command_line import parser, run, study_of
 from analysis.data.errors import InputError
 from analysis.data.output import write_csv, write_text
 from analysis.data.published import published
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.data.statistics import Interval, mean_interval
 from analysis.figures.figure_style import (
     BLUE,
@@ -156,9 +156,7 @@ def draw(study: Study, records: list[dict], table: pd.DataFrame, folder: Path) -
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the table and the figure of one study."""
     args = parser(__doc__, study="timing").parse_args(argv)
-    study = load_study(args.results, args.study)
-    study.require_no_sweep()
-    report_notes(study)
+    study = study_of(args, swept=False)
     records = serial_records(study)
     table = time_table(records, study.methods)
     text = table_text(study, records, table)

@@ -20,10 +20,10 @@ from typing import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import add_method, parser, report_notes, run
+from analysis.data.command_line import add_method, parser, run, study_of
 from analysis.data.errors import InputError
 from analysis.data.published import published
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.data.series import ObjectSeries, read_series
 from analysis.figures.figure_style import (
     BLACK,
@@ -114,9 +114,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     args_parser = parser(__doc__, study="outdoor")
     add_method(args_parser, METHOD)
     args = args_parser.parse_args(argv)
-    study = load_study(args.results, args.study, [args.method])
-    study.require_no_sweep()
-    report_notes(study)
+    study = study_of(args, [args.method], swept=False)
     if args.method == METHOD:
         print(write_table(study))
     print(*draw(study, study.folder / "figures", args.method), sep="\n")

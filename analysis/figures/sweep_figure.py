@@ -20,10 +20,10 @@ from typing import Sequence
 import pandas as pd
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import add_scores, parser, report_notes, run
+from analysis.data.command_line import add_scores, parser, run, study_of
 from analysis.data.errors import InputError
 from analysis.data.output import write_csv, write_text
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.data.scores import MAIN_SCORES, Score, find_scores
 from analysis.data.statistics import Interval
 from analysis.data.sweep_axis import sweep_axis
@@ -104,8 +104,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     add_scores(args_parser, MAIN_SCORES, "to show")
     args = args_parser.parse_args(argv)
     scores = find_scores(args.scores)
-    study = load_study(args.results, args.study)
-    report_notes(study)
+    study = study_of(args)
     table = mean_table(study, scores)
     scores = shown_scores(table, scores, study)
     text = table_text(study, table, scores)

@@ -22,10 +22,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analysis.data.command_line import add_method, parser, report_notes, run
+from analysis.data.command_line import add_method, parser, run, study_of
 from analysis.data.errors import InputError
 from analysis.data.published import display_name
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.data.series import ObjectSeries, longest_in_map, read_series
 from analysis.figures.figure_style import (
     BLACK,
@@ -182,9 +182,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     args_parser = parser(__doc__, study="table1")
     add_method(args_parser, PAIR[0])
     args = args_parser.parse_args(argv)
-    study = load_study(args.results, args.study, [args.method])
-    study.require_no_sweep()
-    report_notes(study)
+    study = study_of(args, [args.method], swept=False)
     print(*draw(study, study.folder / "figures", args.method), sep="\n")
 
 

@@ -22,9 +22,9 @@ from typing import Sequence
 
 import pandas as pd
 
-from analysis.data.command_line import add_scores, name_list, parser, report_notes, run
+from analysis.data.command_line import add_scores, name_list, parser, run, study_of
 from analysis.data.output import write_csv, write_text
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.data.scores import SCORES, Score, find_scores
 from analysis.data.statistics import LEAST_SEEDS, SIGNIFICANCE, Interval
 from analysis.tables.beside import scenario_name
@@ -190,8 +190,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     add_scores(args_parser, DEFAULT_SCORES, "to compare")
     args = args_parser.parse_args(argv)
     scores = find_scores(args.scores)
-    study = load_study(args.results, args.study, args.methods or ())
-    report_notes(study)
+    study = study_of(args, args.methods or ())
     table = comparison(study, args.methods or study.methods, scores)
     file = study.folder / "tables" / "compare.txt"
     write_text(file, table_text(study, table))

@@ -19,9 +19,9 @@ from typing import Sequence
 
 import pandas as pd
 
-from analysis.data.command_line import parser, report_notes, run
+from analysis.data.command_line import parser, run, study_of
 from analysis.data.output import write_csv, write_text
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.data.scores import SCORES, Score
 from analysis.data.statistics import SIGNIFICANCE, Interval
 from analysis.tables.beside import separate
@@ -184,8 +184,7 @@ def write_table(study: Study) -> str:
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the table of one study."""
     args = parser(__doc__, "objects").parse_args(argv)
-    study = load_study(args.results, args.study)
-    report_notes(study)
+    study = study_of(args)
     print(write_table(study))
 
 

@@ -14,9 +14,9 @@ import sys
 from types import ModuleType
 from typing import Sequence
 
-from analysis.data.command_line import parser, report_notes, run
+from analysis.data.command_line import parser, run, study_of
 from analysis.data.output import write_csv, write_text
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.tables import accuracy_table, velocity_table
 from analysis.tables.beside import long_table
 from analysis.tables.mean_table import Means, mean_table
@@ -40,9 +40,7 @@ def write_part(name: str, part: ModuleType, study: Study) -> str:
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the tables of one study."""
     args = parser(__doc__, study="table1").parse_args(argv)
-    study = load_study(args.results, args.study)
-    study.require_no_sweep()
-    report_notes(study)
+    study = study_of(args, swept=False)
     print(write_part("table1", accuracy_table, study))
     print(write_part("velocity", velocity_table, study))
 

@@ -17,9 +17,9 @@ from typing import Sequence
 
 import pandas as pd
 
-from analysis.data.command_line import parser, report_notes, run
+from analysis.data.command_line import parser, run, study_of
 from analysis.data.output import write_csv, write_text
-from analysis.data.records import Study, load_study
+from analysis.data.records import Study
 from analysis.tables.avoidance_table import arms
 from analysis.tables.text_table import aligned
 
@@ -54,8 +54,7 @@ def write_table(study: Study) -> str:
 
 def main(argv: Sequence[str] | None = None) -> None:
     args = parser(__doc__, "avoidance_trust").parse_args(argv)
-    study = load_study(args.results, args.study)
-    report_notes(study)
+    study = study_of(args)
     print(write_table(study))
 
 

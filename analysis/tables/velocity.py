@@ -12,8 +12,7 @@ from __future__ import annotations
 import sys
 from typing import Sequence
 
-from analysis.data.command_line import parser, report_notes, run
-from analysis.data.records import load_study
+from analysis.data.command_line import parser, run, study_of
 from analysis.tables import velocity_table
 from analysis.tables.table1 import write_part
 
@@ -21,9 +20,7 @@ from analysis.tables.table1 import write_part
 def main(argv: Sequence[str] | None = None) -> None:
     """Make the table of one study."""
     args = parser(__doc__, study="velocity").parse_args(argv)
-    study = load_study(args.results, args.study)
-    study.require_no_sweep()
-    report_notes(study)
+    study = study_of(args, swept=False)
     print(write_part("velocity", velocity_table, study))
 
 

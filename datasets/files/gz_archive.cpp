@@ -3,7 +3,6 @@
 #include <mrpt/core/aligned_allocator.h>
 #include <mrpt/version.h>
 
-#include <cstdlib>
 #include <new>
 #include <regex>
 

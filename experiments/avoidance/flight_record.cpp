@@ -37,27 +37,16 @@ Json times_json(const FlightRecord& record) {
 
 std::string to_json(const FlightRecord& record, const Provenance& provenance) {
   const Arm& arm = record.settings.arm;
+  RecordHead head = record;
+  head.scenario = record.world.name;
+  head.method = arm.name;
+  head.filter_seed = record.settings.map.execution.seed;
+  head.frames = record.world.frames;
+  head.scenario_file_hash = datasets::scenario_hash(record.world);
+  if (arm.method != nullptr) head.plugin = plugin_of(*arm.method);
   Json point = Json::object();
   for (const Setting& setting : record.point) point[setting.name] = setting.value;
-  Json json = {{"schema", 2}, {"status", record.error ? "failed" : "ok"}};
-  if (record.error) json["error"] = *record.error;
-  json["command"] = record.command;
-  json["study"] = record.study;
-  json["id"] = record.id;
-  json["scenario"] = record.world.name;
-  json["method"] = arm.name;
-  json["replicate"] = record.replicate;
-  json["point"] = std::move(point);
-  json["seeds"] = {{"scenario", std::to_string(record.seed)},
-                   {"filter", std::to_string(record.settings.map.execution.seed)}};
-  json["frames"] = record.world.frames;
-  json["parameters"] = settings_json(record.settings);
-  Json files = Json::object();
-  for (const ReadFile& file : record.files) files[file.path] = file.hash;
-  json["files"] = std::move(files);
-  json["scenario_file_hash"] = datasets::scenario_hash(record.world);
-  json["provenance"] =
-      provenance_json(provenance, arm.method != nullptr ? plugin_of(*arm.method) : std::nullopt);
+  Json json = head_json(head, std::move(point), settings_json(record.settings), provenance);
   if (record.error) return dump(json);
   json["outcome"] = kOutcomeNames[static_cast<std::size_t>(record.flight.outcome)];
   json["hit_obstacle"] = record.flight.hit ? Json(*record.flight.hit) : Json(nullptr);

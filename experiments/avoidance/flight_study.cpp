@@ -18,24 +18,14 @@ using datasets::at_place;
 using datasets::TomlTable;
 
 void read_worlds(const TomlTable& file, const DataFolder& corridors, FlightStudy& study) {
-  for (const std::string& name : file.texts("worlds", {.min = 1})) {
-    at_place(file.place("worlds"), [&] {
-      const std::filesystem::path path = corridors.file(name);
-      study.worlds.push_back(datasets::read_scenario(path));
-      study.world_files.push_back(read_file(path, corridors));
-      datasets::Scenario& world = study.worlds.back();
-      if (study.frames > world.frames) {
-        throw ldm::InvalidInput("frames = " + std::to_string(study.frames) +
-                                ": allowed: at most the " + std::to_string(world.frames) + " of " +
-                                world.name);
-      }
-      world.frames = study.frames;
-      check_plain_name(path.string(), world.name);
-      const auto same = [&](const datasets::Scenario& w) { return w.name == world.name; };
-      if (std::count_if(study.worlds.begin(), study.worlds.end(), same) > 1) {
-        throw ldm::InvalidInput(world.name + " comes twice: allowed: each world once");
-      }
-    });
+  read_scenarios(file, "worlds", corridors, study);
+  for (datasets::Scenario& world : study.scenarios) {
+    if (study.frames > world.frames) {
+      throw ldm::InvalidInput(file.place("worlds") + ": frames = " + std::to_string(study.frames) +
+                              ": allowed: at most the " + std::to_string(world.frames) + " of " +
+                              world.name);
+    }
+    world.frames = study.frames;
   }
 }
 
@@ -56,35 +46,15 @@ void read_arms(const TomlTable& file, const StudyOptions& options, FlightStudy& 
   }
 }
 
-void read_set(const TomlTable& file, FlightStudy& study) {
-  if (!file.has("set")) return;
-  for (const Setting& setting : settings_of(file.table("set"))) {
-    if (scenario_key(setting).empty()) {
-      study.settings.push_back(setting);
-    } else {
-      for (datasets::Scenario& world : study.worlds) apply(setting, world);
-    }
-  }
-}
-
-/// With what the point says of it.
-datasets::Scenario world_at(const FlightStudy& study, std::size_t world, const Point& point) {
-  datasets::Scenario found = study.worlds[world];
-  for (const Setting& setting : point) {
-    if (!scenario_key(setting).empty()) apply(setting, found);
-  }
-  return found;
-}
-
 /// That every world of every point is a corridor at all.
 void check_worlds(const FlightStudy& study) {
   const Point& first = study.points.front();
   const bool varies = std::any_of(first.begin(), first.end(), [](const Setting& setting) {
     return !scenario_key(setting).empty();
   });
-  for (std::size_t world = 0; world < study.worlds.size(); ++world) {
+  for (std::size_t world = 0; world < study.scenarios.size(); ++world) {
     for (std::size_t point = 0; point < (varies ? study.points.size() : 1); ++point) {
-      draw_corridor(world_at(study, world, study.points[point]), 1);
+      draw_corridor(scenario_at(study, world, point), 1);
     }
   }
 }
@@ -132,7 +102,7 @@ std::uint64_t corridor_seed(const datasets::Scenario& world, std::int64_t replic
 /// Flies it; what is thrown on the way becomes its error.
 void fly_trial(FlightRecord& record) {
   try {
-    const FlightTask task = flight_task(record.world, record.seed, record.settings);
+    const FlightTask task = flight_task(record.world, record.scenario_seed, record.settings);
     const Arm& arm = record.settings.arm;
     record.flight = fly(task, *arm.sight(record.settings.map, task.corridor));
     record.scores = flight_scores(task, record.flight);
@@ -151,20 +121,12 @@ FlightStudy read_flight_study(const std::filesystem::path& path, const DataFolde
                               const StudyOptions& options) {
   const TomlTable file = TomlTable::open(path);
   FlightStudy study;
-  study.name = path.stem().string();
-  check_plain_name(path.string(), study.name);
-  study.file = read_file(path, corridors);
-  study.title = file.text("title");
-  study.seeds = file.integer("seeds", {.min = 1, .max = 100000});
+  read_head(file, path, corridors, options, study);
   study.first_seed = file.integer("first_seed", {.min = 1, .max = 100000}, 1);
-  study.frames = file.integer("frames", {.min = 1, .max = 1000000});
-  if (options.seeds) study.seeds = *options.seeds;
-  if (options.frames) study.frames = *options.frames;
   read_arms(file, options, study);
   read_worlds(file, corridors, study);
   read_set(file, study);
-  study.points = {Point{}};
-  if (file.has("sweep")) study.points = read_points(file.table("sweep"));
+  read_sweep(file, study);
   file.reject_unknown_keys();
   check_values(study);
   check_worlds(study);
@@ -173,14 +135,13 @@ FlightStudy read_flight_study(const std::filesystem::path& path, const DataFolde
 
 std::vector<FlightTrial> flight_trials(const FlightStudy& study) {
   std::vector<FlightTrial> all;
-  const bool swept = !study.points.front().empty();
   for (std::int64_t k = 0; k < study.seeds; ++k) {
-    for (std::size_t world = 0; world < study.worlds.size(); ++world) {
+    for (std::size_t world = 0; world < study.scenarios.size(); ++world) {
       for (std::size_t point = 0; point < study.points.size(); ++point) {
         for (std::size_t arm = 0; arm < study.arms.size(); ++arm) {
           const std::int64_t replicate = study.first_seed + k;
-          all.push_back({trial_id(study.worlds[world].name, study.arms[arm],
-                                  swept ? std::optional(point) : std::nullopt, replicate),
+          all.push_back({trial_id(study.scenarios[world].name, study.arms[arm],
+                                  study.swept() ? std::optional(point) : std::nullopt, replicate),
                          world, arm, point, replicate});
         }
       }
@@ -190,20 +151,14 @@ std::vector<FlightTrial> flight_trials(const FlightStudy& study) {
 }
 
 StudyOutline outline(const FlightStudy& study) {
-  StudyOutline found{.name = study.name,
-                     .title = study.title,
-                     .file = study.file,
-                     .scenario_files = study.world_files,
-                     .frames = study.frames,
-                     .methods = {},
-                     .trials = {}};
+  StudyOutline found{study, {}, {}};
   for (const std::string& name : study.arms) {
     const Arm arm = find_arm(name);
     found.methods.emplace_back(name, arm.method != nullptr ? std::string(arm.method->name) : name);
   }
   for (const FlightTrial& trial : flight_trials(study)) {
     found.trials.push_back(
-        {trial.id, study.worlds[trial.world].name, study.arms[trial.arm], trial.replicate});
+        {trial.id, study.scenarios[trial.world].name, study.arms[trial.arm], trial.replicate});
   }
   return found;
 }
@@ -236,11 +191,11 @@ std::optional<std::string> run_flight_trial(const TrialRequest& request,
   record.study = study.name;
   record.id = trial->id;
   record.point = study.points[trial->point];
-  record.world = world_at(study, trial->world, record.point);
+  record.world = scenario_at(study, trial->world, trial->point);
   record.replicate = trial->replicate;
-  record.seed = corridor_seed(record.world, trial->replicate);
+  record.scenario_seed = corridor_seed(record.world, trial->replicate);
   record.settings = trial_settings(study, *trial);
-  record.files = {study.file, study.world_files[trial->world]};
+  record.files = {study.file, study.scenario_files[trial->world]};
   record.serial = request.serial;
   record.error = request.failure;
   if (!record.error) fly_trial(record);

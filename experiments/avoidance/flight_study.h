@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "datasets/scenario/scenario.h"
@@ -26,17 +25,10 @@
 
 namespace experiments {
 
-struct FlightStudy {
-  std::string name;  ///< stem of its file
-  std::string title;
-  ReadFile file;
-  std::vector<ReadFile> world_files;  ///< one for each of `worlds`
-  std::vector<datasets::Scenario> worlds;
+/// Its scenarios are the worlds.
+struct FlightStudy : StudyBase {
   std::vector<std::string> arms;  ///< controls, then methods
-  Settings settings;              ///< of `[set]`
-  std::vector<Point> points;      ///< one empty point without a sweep
-  std::int64_t seeds = 0, first_seed = 1;
-  std::int64_t frames = 0;
+  std::int64_t first_seed = 1;
 };
 
 /// Whether a study's file describes flights.

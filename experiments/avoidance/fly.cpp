@@ -86,8 +86,8 @@ void fly(const FlyRequest& request, const DataFolders& folders, std::ostream& ou
     }
   }
   record.command = request.command;
-  record.seed = request.seed;
-  const FlightTask task = flight_task(record.world, record.seed, record.settings);
+  record.scenario_seed = request.seed;
+  const FlightTask task = flight_task(record.world, record.scenario_seed, record.settings);
   datasets::make_folder(request.output);
   datasets::PartialFile samples(request.output / "flight.csv");
   datasets::PartialFile obstacles(request.output / "obstacles.csv");

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <optional>
 
-#include "datasets/recording/recording.h"
+#include "datasets/recording/scans/recording_options.h"
 #include "experiments/avoidance/flight_settings.h"
 #include "experiments/commands/listings.h"
 #include "experiments/method/methods.h"

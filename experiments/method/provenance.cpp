@@ -5,7 +5,6 @@
 
 #include <cstring>
 #include <fstream>
-#include <string_view>
 #include <thread>
 
 #include "experiments/method/build_stamp.h"

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstdio>
 #include <fstream>
-#include <optional>
 
 #include "datasets/files/partial_file.h"
 #include "datasets/objects_hit.h"

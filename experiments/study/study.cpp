@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "datasets/files/at_place.h"
 #include "datasets/files/text.h"
 #include "datasets/hash.h"
 #include "experiments/study/seeds.h"
@@ -14,10 +15,8 @@
 namespace experiments {
 namespace {
 
+using datasets::at_place;
 using datasets::TomlTable;
-
-constexpr datasets::Integers kSeeds{.min = 1, .max = 100000};
-constexpr datasets::Integers kFrames{.min = 1, .max = 1000000};
 
 /// Names become parts of ids and of file names; dots part them.
 void add_entrant(Study& study, const std::string& place, Entrant entrant) {
@@ -67,25 +66,6 @@ void replace_entrants(const std::vector<std::string>& methods, Study& study) {
   }
 }
 
-void read_scenarios(const TomlTable& file, const DataFolder& folder, Study& study) {
-  const std::string place = file.place("scenarios");
-  for (const std::string& name : file.texts("scenarios", {.min = 1})) {
-    try {
-      const std::filesystem::path path = folder.file(name);
-      study.scenarios.push_back(datasets::read_scenario(path));
-      study.scenario_files.push_back(read_file(path, folder));
-    } catch (const ldm::InvalidInput& error) {
-      throw ldm::InvalidInput(place + ": " + error.what());
-    }
-    const std::string& added = study.scenarios.back().name;
-    check_plain_name(place, added);
-    const auto same = [&](const datasets::Scenario& s) { return s.name == added; };
-    if (std::count_if(study.scenarios.begin(), study.scenarios.end(), same) > 1) {
-      throw ldm::InvalidInput(place + ": " + added + " comes twice: allowed: each scenario once");
-    }
-  }
-}
-
 /// A value for all trials must mean something to one of their methods at least.
 void check_for_all(const Study& study, const Setting& setting) {
   if (setting.name == "execution.seed") {
@@ -99,23 +79,9 @@ void check_for_all(const Study& study, const Setting& setting) {
   if (!used) refuse(setting, "parameters that a method of the study uses");
 }
 
-void read_set(const TomlTable& file, Study& study) {
-  if (!file.has("set")) return;
-  for (const Setting& setting : settings_of(file.table("set"))) {
-    if (scenario_key(setting).empty()) {
-      check_for_all(study, setting);
-      study.settings.push_back(setting);
-    } else {
-      for (datasets::Scenario& scenario : study.scenarios) apply(setting, scenario);
-    }
-  }
-}
-
-void read_sweep(const TomlTable& file, Study& study) {
-  study.points = {Point{}};
-  if (!file.has("sweep")) return;
-  study.points = read_points(file.table("sweep"));
-  // Each value once: points repeat them.
+/// The parameters of `[set]` and, each value once as points repeat them, of the sweep.
+void check_settings(const Study& study) {
+  for (const Setting& setting : study.settings) check_for_all(study, setting);
   std::set<std::string> checked;
   for (const Point& point : study.points) {
     for (const Setting& setting : point) {
@@ -143,8 +109,7 @@ void check_trials(const Study& study) {
   }
   for (std::size_t scenario = 0; scenario < study.scenarios.size(); ++scenario) {
     for (std::size_t point = 0; point < study.points.size(); ++point) {
-      check_frames(study,
-                   trial_scenario(study, {.scenario = scenario, .entrant = 0, .point = point}));
+      check_frames(study, scenario_at(study, scenario, point));
     }
   }
 }
@@ -170,23 +135,63 @@ ReadFile read_file(const std::filesystem::path& path, const DataFolder& folder) 
   return {(inside ? relative : file).string(), datasets::hex(datasets::hash({content.str()}))};
 }
 
-Study read_study(const std::filesystem::path& path, const DataFolder& scenarios,
-                 const StudyOptions& options) {
-  const TomlTable file = TomlTable::open(path);
-  Study study;
+void read_head(const TomlTable& file, const std::filesystem::path& path,
+               const DataFolder& scenarios, const StudyOptions& options, StudyBase& study) {
   study.name = path.stem().string();
   check_plain_name(path.string(), study.name);
   study.file = read_file(path, scenarios);
   study.title = file.text("title");
-  study.seeds = file.integer("seeds", kSeeds);
-  study.frames = file.integer("frames", kFrames);
-  study.series = file.boolean("series", false);
+  study.seeds = file.integer("seeds", {.min = 1, .max = 100000});
+  study.frames = file.integer("frames", {.min = 1, .max = 1000000});
   if (options.seeds) study.seeds = *options.seeds;
   if (options.frames) study.frames = *options.frames;
+}
+
+void read_scenarios(const TomlTable& file, std::string_view key, const DataFolder& folder,
+                    StudyBase& study) {
+  for (const std::string& name : file.texts(key, {.min = 1})) {
+    at_place(file.place(key), [&] {
+      const std::filesystem::path path = folder.file(name);
+      study.scenarios.push_back(datasets::read_scenario(path));
+      study.scenario_files.push_back(read_file(path, folder));
+      const std::string& added = study.scenarios.back().name;
+      check_plain_name(path.string(), added);
+      const auto same = [&](const datasets::Scenario& s) { return s.name == added; };
+      if (std::count_if(study.scenarios.begin(), study.scenarios.end(), same) > 1) {
+        throw ldm::InvalidInput(added + " comes twice: allowed: each of the " + std::string(key) +
+                                " once");
+      }
+    });
+  }
+}
+
+void read_set(const TomlTable& file, StudyBase& study) {
+  if (!file.has("set")) return;
+  for (const Setting& setting : settings_of(file.table("set"))) {
+    if (scenario_key(setting).empty()) {
+      study.settings.push_back(setting);
+    } else {
+      for (datasets::Scenario& scenario : study.scenarios) apply(setting, scenario);
+    }
+  }
+}
+
+void read_sweep(const TomlTable& file, StudyBase& study) {
+  study.points = {Point{}};
+  if (file.has("sweep")) study.points = read_points(file.table("sweep"));
+}
+
+Study read_study(const std::filesystem::path& path, const DataFolder& scenarios,
+                 const StudyOptions& options) {
+  const TomlTable file = TomlTable::open(path);
+  Study study;
+  read_head(file, path, scenarios, options, study);
+  study.series = file.boolean("series", false);
   read_entrants(file, study);
-  read_scenarios(file, scenarios, study);
+  read_scenarios(file, "scenarios", scenarios, study);
   read_set(file, study);
   read_sweep(file, study);
+  check_settings(study);
   file.reject_unknown_keys();
   // Only now: a swept parameter may mean nothing to a method that is held against the study's.
   if (!options.methods.empty()) replace_entrants(options.methods, study);
@@ -257,12 +262,12 @@ ldm::Parameters trial_parameters(const Study& study, const Trial& trial) {
   return parameters;
 }
 
-datasets::Scenario trial_scenario(const Study& study, const Trial& trial) {
-  datasets::Scenario scenario = study.scenarios[trial.scenario];
-  for (const Setting& setting : study.points[trial.point]) {
-    if (!scenario_key(setting).empty()) apply(setting, scenario);
+datasets::Scenario scenario_at(const StudyBase& study, std::size_t scenario, std::size_t point) {
+  datasets::Scenario found = study.scenarios[scenario];
+  for (const Setting& setting : study.points[point]) {
+    if (!scenario_key(setting).empty()) apply(setting, found);
   }
-  return scenario;
+  return found;
 }
 
 }  // namespace experiments

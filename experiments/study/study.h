@@ -45,20 +45,25 @@ struct ReadFile {
 /// @param folder of a kind, such as `datasets/scenarios`, in the data folder
 ReadFile read_file(const std::filesystem::path& file, const DataFolder& folder);
 
-struct Study {
+/// What a study of every kind has.
+struct StudyBase {
   std::string name;  ///< stem of its file
   std::string title;
   ReadFile file;
   std::vector<ReadFile> scenario_files;       ///< one for each of `scenarios`
   std::vector<datasets::Scenario> scenarios;  ///< with the values of `[set]`
-  std::vector<Entrant> entrants;              ///< methods, then variants
   Settings settings;                          ///< parameters of `[set]`
   std::vector<Point> points;                  ///< one empty point without a sweep
   std::int64_t seeds = 0;
   std::int64_t frames = 0;
-  bool series = false;
 
   bool swept() const { return !points.front().empty(); }
+};
+
+struct Study : StudyBase {
+  std::vector<Entrant> entrants;  ///< methods, then variants
+  bool series = false;
+
   std::size_t trial_count() const {
     return scenarios.size() * entrants.size() * points.size() * static_cast<std::size_t>(seeds);
   }
@@ -74,6 +79,16 @@ struct StudyOptions {
 /// Names of studies, worlds and methods become those of files and trials.
 /// @throws ldm::InvalidInput beginning with `place` unless it is of letters, digits, _ and -.
 void check_plain_name(const std::string& place, const std::string& name);
+
+/// Parts of a study's file, of every kind.
+/// @throws ldm::InvalidInput with file, line, key, value and what is allowed.
+void read_head(const datasets::TomlTable& file, const std::filesystem::path& path,
+               const DataFolder& scenarios, const StudyOptions& options, StudyBase& study);
+void read_scenarios(const datasets::TomlTable& file, std::string_view key,
+                    const DataFolder& scenarios, StudyBase& study);
+/// `[set]`, after the scenarios that it changes.
+void read_set(const datasets::TomlTable& file, StudyBase& study);
+void read_sweep(const datasets::TomlTable& file, StudyBase& study);
 
 /// Reads and checks all of it: every value of every point fits every scenario and method.
 /// @throws ldm::InvalidInput with file, line, key, value and what is allowed.
@@ -105,7 +120,7 @@ Trial find_trial(const Study& study, std::string_view id);
 /// `execution.seed` is the trial's filter seed.
 ldm::Parameters trial_parameters(const Study& study, const Trial& trial);
 
-/// The scenario at the trial's point.
-datasets::Scenario trial_scenario(const Study& study, const Trial& trial);
+/// A scenario at a point, by their positions in the lists of the study.
+datasets::Scenario scenario_at(const StudyBase& study, std::size_t scenario, std::size_t point);
 
 }  // namespace experiments

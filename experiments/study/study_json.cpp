@@ -16,13 +16,7 @@ Json methods_json(const StudyOutline& study) {
 }  // namespace
 
 StudyOutline outline(const Study& study) {
-  StudyOutline found{.name = study.name,
-                     .title = study.title,
-                     .file = study.file,
-                     .scenario_files = study.scenario_files,
-                     .frames = study.frames,
-                     .methods = {},
-                     .trials = {}};
+  StudyOutline found{study, {}, {}};
   for (const Entrant& entrant : study.entrants) {
     found.methods.emplace_back(entrant.name, entrant.method->name);
   }

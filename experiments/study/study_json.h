@@ -10,15 +10,11 @@
 namespace experiments {
 
 /// What it takes to run a study, of whatever kind.
-struct StudyOutline {
+struct StudyOutline : StudyBase {
   struct Trial {
     std::string id, scenario, method;
     std::int64_t replicate = 1;
   };
-  std::string name, title;
-  ReadFile file;
-  std::vector<ReadFile> scenario_files;
-  std::int64_t frames = 0;
   /// Name of each method or variant, and the method of the table behind it.
   std::vector<std::pair<std::string, std::string>> methods;
   std::vector<Trial> trials;

@@ -34,8 +34,9 @@ struct PreparedTrial {
 PreparedTrial prepared(const TrialRequest& request, const Study& study) {
   const Trial trial = find_trial(study, request.id);
   const Entrant& entrant = study.entrants[trial.entrant];
-  PreparedTrial found{
-      .record = {}, .method = entrant.method, .scenario = trial_scenario(study, trial)};
+  PreparedTrial found{.record = {},
+                      .method = entrant.method,
+                      .scenario = scenario_at(study, trial.scenario, trial.point)};
   TrialRecord& record = found.record;
   record.study = study.name;
   record.id = request.id;
@@ -105,12 +106,6 @@ std::string repeating_command(const TrialRequest& request, std::int64_t seeds,
     words.insert(words.end(), {"--method", method});
   }
   return datasets::command_line(words);
-}
-
-TrialRecord run_trial(const TrialRequest& request) {
-  std::optional<TrialRecord> found;
-  run_trials(request, {request.id}, [&](const TrialRecord& record) { found = record; });
-  return *found;
 }
 
 void run_trials(const TrialRequest& request, const std::vector<std::string>& ids,

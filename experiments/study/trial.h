@@ -25,15 +25,12 @@ struct TrialRequest {
 /// @param seeds so many that the trial is among them
 std::string repeating_command(const TrialRequest& request, std::int64_t seeds, std::int64_t frames);
 
-/// Runs the trial. A failure inside of it (simulation, method) is in the record's `error`.
-/// @throws ldm::InvalidInput on a bad study, id or parameter: there is then no record.
-TrialRecord run_trial(const TrialRequest& request);
-
-/// Runs several trials of the study, and hands over each record when it is there. Successive ones
-/// in the same world share it, frame by frame: it is drawn and scanned once. The records are those
-/// of `run_trial`. A request for serial timing shares nothing.
+/// Runs trials of the study, and hands over each record when it is there. A failure inside of a
+/// trial (simulation, method) is in its record's `error`. Successive ones in the same world share
+/// it, frame by frame: it is drawn and scanned once. The records are the same as those of trials
+/// that run alone. A request for serial timing shares nothing.
 /// @param request without `id`
-/// @throws ldm::InvalidInput as `run_trial`, before the first trial.
+/// @throws ldm::InvalidInput on a bad study, id or parameter, before the first trial.
 void run_trials(const TrialRequest& request, const std::vector<std::string>& ids,
                 const std::function<void(const TrialRecord&)>& done);
 

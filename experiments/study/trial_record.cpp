@@ -50,29 +50,34 @@ Json objects_json(const std::vector<VelocitySeries>& all) {
 
 }  // namespace
 
+Json head_json(const RecordHead& head, Json point, Json parameters, const Provenance& provenance) {
+  Json files = Json::object();
+  for (const ReadFile& file : head.files) files[file.path] = file.hash;
+
+  Json json = {{"schema", kSchema}, {"status", head.error ? "failed" : "ok"}};
+  if (head.error) json["error"] = *head.error;
+  json["command"] = head.command;
+  json["study"] = head.study;
+  json["id"] = head.id;
+  json["scenario"] = head.scenario;
+  json["method"] = head.method;
+  json["replicate"] = head.replicate;
+  json["point"] = std::move(point);
+  json["seeds"] = {{"scenario", std::to_string(head.scenario_seed)},
+                   {"filter", std::to_string(head.filter_seed)}};
+  json["frames"] = head.frames;
+  json["parameters"] = std::move(parameters);
+  json["files"] = std::move(files);
+  json["scenario_file_hash"] = head.scenario_file_hash;
+  json["provenance"] = provenance_json(provenance, head.plugin);
+  return json;
+}
+
 std::string to_json(const TrialRecord& record, const Provenance& provenance,
                     std::size_t series_bytes) {
-  Json files = Json::object();
-  for (const ReadFile& file : record.files) files[file.path] = file.hash;
   Json point = Json::object();
   for (const Setting& setting : record.point) point[setting.name] = typed(setting.value);
-
-  Json json = {{"schema", kSchema}, {"status", record.error ? "failed" : "ok"}};
-  if (record.error) json["error"] = *record.error;
-  json["command"] = record.command;
-  json["study"] = record.study;
-  json["id"] = record.id;
-  json["scenario"] = record.scenario;
-  json["method"] = record.method;
-  json["replicate"] = record.replicate;
-  json["point"] = std::move(point);
-  json["seeds"] = {{"scenario", std::to_string(record.scenario_seed)},
-                   {"filter", std::to_string(record.filter_seed)}};
-  json["frames"] = record.frames;
-  json["parameters"] = parameters_json(record.parameters);
-  json["files"] = std::move(files);
-  json["scenario_file_hash"] = record.scenario_file_hash;
-  json["provenance"] = provenance_json(provenance, record.plugin);
+  Json json = head_json(record, std::move(point), parameters_json(record.parameters), provenance);
   if (record.error) return dump(json);
   json["scores"] = scores_json(record.evaluation.tallies.value());
   json["series_bytes"] = series_bytes;

@@ -109,8 +109,8 @@ TEST(Study, ScenarioValuesReachTheScenario) {
   const Study study = study_of(kBase +
                                "[set]\n\"scenario.sensor.channels\" = 8\n"
                                "[sweep.axes]\n\"scenario.sensor.range_sigma_m\" = [0.01, 0.05]\n");
-  const datasets::Scenario scenario =
-      trial_scenario(study, find_trial(study, "scenario3.ldm.p02.s001"));
+  const Trial trial = find_trial(study, "scenario3.ldm.p02.s001");
+  const datasets::Scenario scenario = scenario_at(study, trial.scenario, trial.point);
   EXPECT_EQ(scenario.sensor.channels, 8);
   EXPECT_EQ(scenario.sensor.range_sigma, 0.05);
 }

@@ -24,6 +24,12 @@ class Breaks : public ldm::Mapper {
   void read(ldm::LocalMap&) const override {}
 };
 
+TrialRecord run_trial(const TrialRequest& request) {
+  TrialRecord found;
+  run_trials(request, {request.id}, [&](const TrialRecord& record) { found = record; });
+  return found;
+}
+
 class TrialOfATinyStudy : public testing::Test {
  protected:
   TrialRequest request(const std::string& id) {

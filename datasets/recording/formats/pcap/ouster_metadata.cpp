@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "datasets/files/printable.h"
