@@ -96,7 +96,8 @@ void Clustering::find_runs(const RingBuffer<float>& log_odds) {
     for (int y = 0; y < size_.y(); ++y) {
       first_run_of_row_.push_back(static_cast<std::int32_t>(runs_.size()));
       // Most rows are empty. A row as a whole has its slots side by side, wherever it wraps.
-      if (is_empty(cells + row_slot(log_odds.index(), y, z), size_.x())) continue;
+      const std::size_t row = row_slot(log_odds.index(), y, z);
+      if (!log_odds.may_exceed(threshold_, row, static_cast<std::size_t>(size_.x()))) continue;
       for (const RowPiece& piece : row_pieces(log_odds.index(), 0, size_.x(), y, z)) {
         const float* const l = cells + piece.slot;
         for (int i = next_occupied(l, 0, piece.length); i < piece.length;) {

@@ -4,16 +4,26 @@
 #include "ldm/scan_check.h"
 
 namespace ldm {
+namespace {
+
+/// With the number of threads that 0 stands for.
+Parameters with_threads(Parameters parameters) {
+  std::int64_t& threads = parameters.execution.threads;
+  if (threads == 0) threads = threads_that_pay(parameters);
+  return parameters;
+}
+
+}  // namespace
 
 LocalDynamicMap::LocalDynamicMap(const Parameters& parameters)
-    : parameters_(checked(parameters)),
+    : parameters_(with_threads(checked(parameters))),
       log_odds_(parameters.map.voxels, 0.0F),
       flags_(parameters.map, parameters.sensor_model.no_returns, parameters.survival.enabled,
-             parameters.execution.threads),
+             parameters_.execution.threads),
       prediction_(parameters.map, parameters.sensor_model, parameters.prediction),
       occupancy_(parameters.map, parameters.sensor_model, parameters.survival,
-                 parameters.execution.threads),
-      particles_(parameters.map, parameters.particles, parameters.clusters, parameters.execution,
+                 parameters_.execution.threads),
+      particles_(parameters.map, parameters.particles, parameters.clusters, parameters_.execution,
                  log_odds_.index()),
       clustering_(parameters.map, parameters.clusters) {}
 

@@ -30,8 +30,7 @@ OccupancyPrediction::OccupancyPrediction(const MapParameters& map,
                                          const PredictionParameters& prediction)
     : resolution_(map.resolution), sensor_(sensor), prediction_(prediction), size_(map.voxels) {
   const std::size_t count = RingIndex(map.voxels).count();
-  owner_.assign(count, -1);
-  kept_.assign(count, 0);
+  owner_ = SparseNumbers(count);
   if (prediction.sub_voxel == SubVoxelMotion::kTrilinear) share_.assign(count, 0);
   // Room for what is usual; a map with more of it takes more once.
   for (auto* const rests : {&rests_, &old_rests_}) rests->reserve(kUsualClusters);
@@ -84,7 +83,7 @@ void OccupancyPrediction::take(const Clustering& clusters, RingBuffer<float>& lo
     if (!motions_[static_cast<std::size_t>(run.cluster)].moves) continue;
     for (int x = run.x_begin; x < run.x_end; ++x) {
       const VoxelIndex local(x, run.y, run.z);
-      float& l = log_odds.cells()[slot_of(log_odds.index(), local)];
+      float& l = log_odds.in_slot(slot_of(log_odds.index(), local));
       taken_.push_back({local, l, run.cluster});
       l = 0;
     }
@@ -96,7 +95,7 @@ void OccupancyPrediction::put(RingBuffer<float>& log_odds) const {
   for (const Taken& taken : taken_) {
     const VoxelIndex to = taken.voxel + motions_[static_cast<std::size_t>(taken.cluster)].whole;
     if (!inside(to, size_)) continue;
-    float& l = log_odds.cells()[slot_of(log_odds.index(), to)];
+    float& l = log_odds.in_slot(slot_of(log_odds.index(), to));
     l = std::max(l, taken.log_odds);
   }
 }
@@ -123,7 +122,7 @@ void OccupancyPrediction::splat(RingBuffer<float>& log_odds) {
   const auto high = static_cast<float>(sensor_.log_odds_max);
   for (const std::size_t slot : touched_) {
     const float p = std::min(share_[slot], 0.9999F);
-    float& l = log_odds.cells()[slot];
+    float& l = log_odds.in_slot(slot);
     l = std::max(l, std::clamp(static_cast<float>(ldm::log_odds(p)), low, high));
     share_[slot] = 0;
   }
@@ -131,27 +130,23 @@ void OccupancyPrediction::splat(RingBuffer<float>& log_odds) {
 
 /// Notes which slots the predicted clusters stand in, for `inherit` and for eq. 10.
 void OccupancyPrediction::own(const RingIndex& index, const Clustering& clusters) {
-  for (const std::size_t slot : owned_) {
-    owner_[slot] = -1;
-    kept_[slot] = 0;
-  }
+  owner_.clear(owned_);
   owned_.clear();
+  const SparseNumbers::Writer owner = owner_.writer();
   for (const Run& run : clusters.runs()) {
     const auto c = static_cast<std::size_t>(run.cluster);
     for (int x = run.x_begin; x < run.x_end; ++x) {
       const VoxelIndex to = VoxelIndex(x, run.y, run.z) + motions_[c].whole;
       if (!inside(to, size_)) continue;
       const std::size_t slot = slot_of(index, to);
-      owner_[slot] = run.cluster;
-      kept_[slot] = static_[c];
+      owner.set(slot, 1 + static_cast<std::uint32_t>(c));
       owned_.push_back(slot);
     }
   }
 }
 
 void OccupancyPrediction::forget(std::size_t first, std::size_t n) {
-  std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(first), n, -1);
-  std::fill_n(kept_.begin() + static_cast<std::ptrdiff_t>(first), n, std::uint8_t{0});
+  owner_.clear(first, n);
 }
 
 void OccupancyPrediction::inherit(const RingIndex& index, const Clustering& clusters) {
@@ -163,15 +158,14 @@ void OccupancyPrediction::inherit(const RingIndex& index, const Clustering& clus
   for (std::size_t c = 0; c < rests_.size(); ++c) {
     std::int32_t most = 0;
     const auto count = [&](std::size_t slot) {
-      const std::int32_t owner = owner_[slot];
-      if (owner < 0) return;
-      const auto o = static_cast<std::size_t>(owner);
-      if (++shared_[o] <= most) return;
-      most = shared_[o];
-      rests_[c] = old_rests_[o];
+      if (owner_[slot] == 0) return;
+      const std::size_t owner = owner_[slot] - 1;
+      if (++shared_[owner] <= most) return;
+      most = shared_[owner];
+      rests_[c] = old_rests_[owner];
     };
     const auto forget_count = [&](std::size_t slot) {
-      if (owner_[slot] >= 0) shared_[static_cast<std::size_t>(owner_[slot])] = 0;
+      if (owner_[slot] != 0) shared_[owner_[slot] - 1] = 0;
     };
     for_each_slot(index, clusters.runs_of(c), count);
     for_each_slot(index, clusters.runs_of(c), forget_count);

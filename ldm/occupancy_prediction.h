@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ldm/clustering.h"
+#include "ldm/occupancy_update.h"
 #include "ldm/parameters.h"
 #include "ldm/ring_buffer.h"
 
@@ -29,8 +30,8 @@ class OccupancyPrediction {
   /// Forget slots [first, first + n): their voxels left the window.
   void forget(std::size_t first, std::size_t n);
 
-  /// 1 in each slot in which a static object of k - 1 stands after `predict`, else 0 (for eq. 10).
-  std::span<const std::uint8_t> kept() const { return kept_; }
+  /// Where the objects of k - 1 stand after `predict`, until `inherit`.
+  StaticVoxels kept() const { return {&owner_, static_}; }
 
   /// Remember which clusters of k are static, and hand the sub-voxel rests on to them, once their
   /// velocities and `dynamic` are set.
@@ -63,9 +64,8 @@ class OccupancyPrediction {
   std::vector<std::uint8_t> static_;        // per cluster
   std::vector<Eigen::Vector3f> old_rests_;  // those of k - 1, while inheriting
   std::vector<Taken> taken_;
-  std::vector<std::int32_t> owner_;   // per slot: predicted cluster, or -1
-  std::vector<std::uint8_t> kept_;    // per slot
-  std::vector<std::size_t> owned_;    // slots with an owner
+  SparseNumbers owner_;               // per slot: 1 + number of the predicted cluster; 0 for none
+  std::vector<std::size_t> owned_;    // slots with an owner, and some that lost it
   std::vector<std::int32_t> shared_;  // per cluster of k - 1: voxels shared, while counting
   std::vector<float> share_;          // per slot: P splat onto it; trilinear only
   std::vector<std::size_t> touched_;  // slots with a share

@@ -13,11 +13,26 @@
 
 namespace ldm {
 
+using LogOddsRange = Range<float>;
+
 /// Log-odds of one measurement, by the flag of its voxel.  Eq. (9)
 struct MeasurementLogOdds {
   float occupied;
   float free;
   explicit MeasurementLogOdds(const SensorModelParameters& p);
+};
+
+/// In which slots an object of k - 1 stands, and whether it is static: for eq. 10.
+struct StaticVoxels {
+  const SparseNumbers* owner = nullptr;  ///< 1 + number of the object, 0 for none; null: no object
+  std::span<const std::uint8_t> is_static;  ///< per object: 1 or 0
+
+  bool any_in(std::size_t brick) const { return owner != nullptr && owner->any_in(brick); }
+  /// Requires an owner.
+  bool at(std::size_t slot) const {
+    const std::uint32_t number = (*owner)[slot];
+    return number != 0 && is_static[number - 1] != 0;
+  }
 };
 
 /// What one frame does to the log-odds of each voxel.
@@ -29,9 +44,8 @@ class OccupancyUpdate {
                   const SurvivalParameters& survival, std::int64_t threads = 1);
 
   /// Adds the measurements to the voxels with a hit or a crossing ray and lets the others decay.
-  /// `flags` in window order; `log_odds` and `kept` in slots. `kept` is 1 where a static object
-  /// stood at k - 1, empty if nothing is static.
-  void apply(std::span<const std::uint8_t> flags, std::span<const std::uint8_t> kept,
+  /// `flags` in window order; static objects do not decay. Cost: the bricks (bricks.h) that change.
+  void apply(std::span<const std::uint8_t> flags, const StaticVoxels& kept,
              RingBuffer<float>& log_odds) const;
 
   /// l_k = l_{k-1} + l(z), within the clamps.  Eq. (8)
@@ -57,14 +71,18 @@ class OccupancyUpdate {
     float clamped(float l) const { return std::clamp(l, min, max); }
     float changed(float l, Change by) const { return clamped(survived(l, by.survival) + by.gain); }
   };
-  void apply_to_layers(int begin, int end, std::span<const std::uint8_t> flags,
-                       std::span<const std::uint8_t> kept, RingBuffer<float>& log_odds) const;
-  void apply_to_row(int n, const std::uint8_t* flags, const std::uint8_t* kept, float* l) const;
-  void apply_to_each(int begin, int end, const std::uint8_t* flags, const std::uint8_t* kept,
-                     float* l) const;
-  void change_stretch(Change change, float* l) const;
-  void change_stretch(UInt8x16 flags, float* l) const;
-  std::int64_t bytes_of(std::uint8_t flag) const;
+  /// Voxels of a row that lie in one brick.
+  struct Piece {
+    const std::uint8_t* flags;
+    const std::uint8_t* kept;  // 1 where a static object stands; or none
+    float* l;
+    std::size_t size;
+  };
+  class FourVoxels;
+  void apply_to_rows(std::size_t begin, std::size_t end, std::span<const std::uint8_t> flags,
+                     const StaticVoxels& kept, RingBuffer<float>& log_odds) const;
+  bool stays(const Piece& piece, const LogOddsRange& range) const;
+  void apply_to_piece(const Piece& piece, const LogOddsRange& before, FourVoxels& four) const;
 
   Clamps clamps_;
   std::array<Change, 256> change_;  // by flag

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <thread>
 #include <type_traits>
 
 #include "ldm/parameter_text.h"
@@ -119,6 +121,15 @@ std::string get_parameter(const Parameters& parameters, std::string_view name) {
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
   set_parameter_text(parameters, name, text);
+}
+
+std::int64_t threads_that_pay(const Parameters& parameters) {
+  constexpr double kEach = 1e6;
+  const double size =
+      parameters.map.voxels.cast<double>().prod() + static_cast<double>(parameters.particles.count);
+  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
+  return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(size / kEach)), 1,
+                                  std::max<std::int64_t>(cores, 1));
 }
 
 const Parameters& checked(const Parameters& parameters) {

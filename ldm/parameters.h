@@ -163,7 +163,7 @@ void visit_parameters(P& p, Visitor&& visit) {
       Info{"clusters.readjust", "", "", 0, 1, "Eq. 17", "particles take their cluster's velocity"},
       p.clusters.readjust);
 
-  visit(Info{"execution.threads", "", "", 0, 256, "-", "threads of one update; 0: all cores"},
+  visit(Info{"execution.threads", "", "", 0, 256, "-", "threads of one update; 0: as many as pay"},
         p.execution.threads);
   visit(Info{"execution.seed", "", "", 0, 18446744073709551615.0, "-", "of the particle filter"},
         p.execution.seed);
@@ -177,6 +177,11 @@ std::string get_parameter(const Parameters& parameters, std::string_view name);
 /// number for all axes.
 /// @throws InvalidInput naming the parameter, the text and the allowed range; nothing is changed.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
+
+/// The threads that pay: one for each million, or part of one, of voxels and particles together, at
+/// most all cores. A second one brings less than 1.4 times the speed on a smaller map
+/// (docs/benchmarks.md).
+std::int64_t threads_that_pay(const Parameters& parameters);
 
 /// Its argument. @throws InvalidInput naming the first parameter out of its range, its value and
 /// the range.

@@ -48,9 +48,9 @@ UInt16x8 pair_of(const Eigen::Vector3i& v, int rest) {
   return lanes;
 }
 
-void count_slots(const Int32x4& slots, std::uint32_t* count) {
-  ++count[static_cast<std::uint32_t>(slots[0])];
-  ++count[static_cast<std::uint32_t>(slots[2])];
+void count_slots(const Int32x4& slots, const SparseNumbers::Writer& count) {
+  count.add_one(static_cast<std::uint32_t>(slots[0]));
+  count.add_one(static_cast<std::uint32_t>(slots[2]));
 }
 
 }  // namespace

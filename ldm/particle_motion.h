@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ldm/machine/bricks.h"
 #include "ldm/machine/lanes.h"
 #include "ldm/machine/random.h"
 #include "ldm/parameters.h"
@@ -118,7 +119,7 @@ class ParticleMotion {
 /// steps at a time.
 struct PredictionPass {
   Particle* particles;
-  std::uint32_t* count;  ///< per slot, and one for those that are gone, to which more is added
+  SparseNumbers::Writer count;  ///< per slot, and one for those that are gone: more is added there
   const VelocityNoise& noise;
   RandomStream stream;  ///< its number i is for particles 2 i and 2 i + 1
   ParticleMotion motion;

@@ -29,7 +29,7 @@ Particles::Particles(const MapParameters& map, const ParticleParameters& particl
       resampled_(particles_.size()) {
   const std::size_t most_voxels = std::min(index.count(), n_init_) + 1;
   for (Part& part : parts_) {
-    part.counted.in_slot.resize(index.count() + 1);
+    part.counted.in_slot = SparseNumbers(index.count() + 1);
     part.weighed.reserve(most_voxels, kUsualBirths);
     part.next.reserve(most_voxels);
     part.before.reserve(kUsualBirths);
@@ -68,29 +68,30 @@ void Particles::predict(double dt, const RingIndex& index) {
   ++frame_;
   const ParticleMotion motion(index, fraction_bits_, dt / resolution_);
   // Placed particles move on: the memory goes back to the counts.
-  if (!placed_.in_slot.empty()) parts_[0].counted.in_slot.swap(placed_.in_slot);
+  if (!placed_.in_slot.empty()) std::swap(parts_[0].counted.in_slot, placed_.in_slot);
   parallel_.for_each_part([&](int part) { predict_part(part, motion); });
 }
 
 void Particles::predict_part(int part, const ParticleMotion& motion) {
-  std::vector<std::uint32_t>& counts = parts_[static_cast<std::size_t>(part)].counted.in_slot;
-  std::fill(counts.begin(), counts.end(), 0U);
+  SparseNumbers& counts = parts_[static_cast<std::size_t>(part)].counted.in_slot;
+  counts.clear();
   const auto [begin, end] = stretch(part);
   const RandomStream stream(seed_, Purpose::kPrediction, frame_);
-  PredictionPass{particles_.data(), counts.data(), noise_, stream, motion}.move(begin, end);
-  if (end % 2 == 1) --counts[particles_[end].slot];  // a spare place made up the last pair
-  counts.back() = 0;  // those that left the map, and what the pass adds to them
+  const PredictionPass pass{particles_.data(), counts.writer(), noise_, stream, motion};
+  pass.move(begin, end);
+  if (end % 2 == 1)
+    --pass.count.numbers[particles_[end].slot];  // a spare place made up the last pair
+  counts.clear(motion.constants().gone[0],
+               1);  // those that left the map, and what the pass adds to them
 }
 
 void Particles::forget(std::size_t first, std::size_t n) {
-  for (Part& part : parts_) {
-    std::fill_n(part.counted.in_slot.begin() + static_cast<std::ptrdiff_t>(first), n, 0U);
-  }
+  for (Part& part : parts_) part.counted.in_slot.clear(first, n);
 }
 
 Parallel::Share Particles::range_of(std::size_t first, std::size_t n) const {
   assert(!placed_.in_slot.empty());
-  const std::vector<std::uint32_t>& voxel = placed_.in_slot;
+  const SparseNumbers& voxel = placed_.in_slot;
   std::size_t last = first + n;
   while (first < last && voxel[first] == 0) ++first;
   while (first < last && voxel[last - 1] == 0) --last;

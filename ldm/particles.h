@@ -11,6 +11,7 @@
 ///
 /// Threads share the particles out in stretches. Each counts its own, and finds its place in the
 /// comb behind the stretches before it: the result is the same bits for any number of threads.
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -85,11 +86,14 @@ class Particles {
   Parallel::Share stretch(int part) const;
   void scatter_uniformly(const RingIndex& index);
   void predict_part(int part, const ParticleMotion& motion);
-  void weigh_part(int part, std::span<const float> log_odds);
-  bool is_empty(std::span<const float> log_odds, std::size_t first, std::size_t last) const;
-  std::size_t list_slots(std::span<const float> log_odds, std::size_t first, std::size_t last,
-                         std::span<std::uint32_t> slots) const;
-  void weigh_slot(std::uint32_t slot, float l, std::uint32_t weight, Weighed& weighed) const;
+  void weigh_part(int part, const RingBuffer<float>& map);
+  bool is_empty(const RingBuffer<float>& map, std::size_t brick) const;
+  std::array<std::uint32_t, kBrick> counts_in(std::size_t first, std::size_t n) const;
+  std::size_t list_slots(std::span<const float> log_odds,
+                         const std::array<std::uint32_t, kBrick>& counts,
+                         std::array<std::uint32_t, kBrick>& slots) const;
+  void weigh_slot(std::uint32_t slot, std::uint32_t count, float l, std::uint32_t weight,
+                  Weighed& weighed) const;
   void claim();
   void resample_part(int part);
   void place_newborn(const RingIndex& index);
@@ -99,7 +103,6 @@ class Particles {
                    const RandomStream& stream, std::uint64_t draw) const;
   /// Of the particles in slots [first, first + n).
   Parallel::Share range_of(std::size_t first, std::size_t n) const;
-  std::uint32_t count(std::size_t slot) const;
   void add_to_births(std::uint32_t voxel, const Particle& p, Part& part) const;
   /// Of all slots, after `weigh`.
   Weighed& weighed() { return parts_[0].weighed; }

@@ -13,18 +13,10 @@ namespace ldm {
 namespace {
 
 constexpr double kOneWeight = 1 << 24;
-constexpr int kClaimBits = 31;        // of a particle's claim: it fits 32
-constexpr std::size_t kStretch = 32;  // slots looked at as one
-constexpr int kToWrite = 1;           // of a prefetch
+constexpr int kClaimBits = 31;  // of a particle's claim: it fits 32
+constexpr int kToWrite = 1;     // of a prefetch
 
 }  // namespace
-
-/// Number of particles in a slot, after `predict`.
-std::uint32_t Particles::count(std::size_t slot) const {
-  std::uint32_t sum = 0;
-  for (const Part& part : parts_) sum += part.counted.in_slot[slot];
-  return sum;
-}
 
 std::uint32_t Particles::updated_weight(float l) const {
   return static_cast<std::uint32_t>(std::llround(kOneWeight * (prior_weight_ + probability(l))));
@@ -35,78 +27,81 @@ std::uint32_t Particles::normalised(std::uint32_t weight, double claim_per_weigh
 }
 
 void Particles::weigh(const RingBuffer<float>& map) {
-  const std::span<const float> log_odds = map.cells();
-  const auto has_none = [](const Part& part) {
-    const std::vector<std::uint32_t>& counts = part.counted.in_slot;
-    return std::all_of(counts.begin(), counts.end(), [](auto n) { return n == 0; });
-  };
+  const auto has_none = [](const Part& part) { return part.counted.in_slot.all_zero(); };
   if (std::all_of(parts_.begin(), parts_.end(), has_none)) {
     scatter_uniformly(map.index());
     parallel_.for_each_part([this](int part) {
       const auto [begin, end] = stretch(part);
-      std::vector<std::uint32_t>& counts = parts_[static_cast<std::size_t>(part)].counted.in_slot;
-      for (std::size_t i = begin; i < end; ++i) ++counts[particles_[i].slot];
+      const auto count = parts_[static_cast<std::size_t>(part)].counted.in_slot.writer();
+      for (std::size_t i = begin; i < end; ++i) count.add_one(particles_[i].slot);
     });
   }
-  parallel_.for_each_part([&](int part) { weigh_part(part, log_odds); });
+  parallel_.for_each_part([&](int part) { weigh_part(part, map); });
   for (std::size_t part = 1; part < parts_.size(); ++part) weighed().append(parts_[part].weighed);
 }
 
-void Particles::weigh_part(int part, std::span<const float> log_odds) {
+void Particles::weigh_part(int part, const RingBuffer<float>& map) {
+  const std::span<const float> log_odds = map.cells();
   Weighed& weighed = parts_[static_cast<std::size_t>(part)].weighed;
   weighed.clear();
   if (part == 0) weighed.voxels.push_back({0, 0});
   float l = 0;
   std::uint32_t weight = updated_weight(l);
-  std::array<std::uint32_t, kStretch> slots;
-  const auto [begin, end] = parallel_.share(part, log_odds.size());
-  for (std::size_t first = begin; first < end; first += kStretch) {
-    const std::size_t last = std::min(first + kStretch, end);
-    if (is_empty(log_odds, first, last)) continue;
-    const std::size_t listed = list_slots(log_odds, first, last, slots);
+  std::array<std::uint32_t, kBrick> slots;
+  const auto [begin, end] = parallel_.share(part, bricks_of(log_odds.size()));
+  for (std::size_t brick = begin; brick < end; ++brick) {
+    if (is_empty(map, brick)) continue;
+    const std::size_t first = brick * kBrick;
+    const auto in_brick = log_odds.subspan(first, std::min(kBrick, log_odds.size() - first));
+    const std::array<std::uint32_t, kBrick> counts = counts_in(first, in_brick.size());
+    const std::size_t listed = list_slots(in_brick, counts, slots);
     for (std::size_t i = 0; i < listed; ++i) {
       // Nine of ten have the log-odds of the one before: unknown, or at a clamp.
-      if (log_odds[slots[i]] != l) {
-        l = log_odds[slots[i]];
+      const std::uint32_t slot = slots[i];
+      if (in_brick[slot] != l) {
+        l = in_brick[slot];
         weight = updated_weight(l);
       }
-      weigh_slot(slots[i], l, weight, weighed);
+      weigh_slot(static_cast<std::uint32_t>(first) + slot, counts[slot], l, weight, weighed);
     }
   }
 }
 
-/// True if nothing is, nor will be born, in slots [first, last): of a large map most are empty.
-/// Vectors of them are looked at.
-bool Particles::is_empty(std::span<const float> log_odds, std::size_t first,
-                         std::size_t last) const {
-  std::uint32_t any = 0;
-  for (const Part& part : parts_) {
-    for (std::size_t slot = first; slot < last; ++slot) any |= part.counted.in_slot[slot];
-  }
-  for (std::size_t slot = first; slot < last; ++slot) {
-    any |= static_cast<std::uint32_t>(log_odds[slot] > occupied_above_);
-  }
-  return any == 0;
+/// True if nothing is, nor will be born, in a brick: of a large map most are empty.
+bool Particles::is_empty(const RingBuffer<float>& map, std::size_t brick) const {
+  const auto has_any = [brick](const Part& part) { return part.counted.in_slot.any_in(brick); };
+  return !(map.range(brick).high > occupied_above_) &&
+         std::none_of(parts_.begin(), parts_.end(), has_any);
 }
 
-/// Into `slots`, those of [first, last) that hold particles, or in which some are to be born; how
-/// many. Requires room for all. Without a branch, as which of them do looks like chance.
-std::size_t Particles::list_slots(std::span<const float> log_odds, std::size_t first,
-                                  std::size_t last, std::span<std::uint32_t> slots) const {
+/// Number of particles in each of n slots of a brick, after `predict`.
+std::array<std::uint32_t, kBrick> Particles::counts_in(std::size_t first, std::size_t n) const {
+  std::array<std::uint32_t, kBrick> sums{};
+  for (const Part& part : parts_) {
+    const std::uint32_t* const counts = &part.counted.in_slot.all()[first];
+    for (std::size_t i = 0; i < n; ++i) sums[i] += counts[i];
+  }
+  return sums;
+}
+
+/// Into `slots`, those of a brick that hold particles, or in which some are to be born, counted
+/// from its first; how many. Without a branch, as which of them do looks like chance.
+std::size_t Particles::list_slots(std::span<const float> log_odds,
+                                  const std::array<std::uint32_t, kBrick>& counts,
+                                  std::array<std::uint32_t, kBrick>& slots) const {
   const auto has_births = static_cast<std::size_t>(min_per_voxel_ != 0);
   std::size_t n = 0;
-  for (std::size_t slot = first; slot < last; ++slot) {
+  for (std::size_t slot = 0; slot < log_odds.size(); ++slot) {
     slots[n] = static_cast<std::uint32_t>(slot);
-    const auto holds = static_cast<std::size_t>(count(slot) != 0);
+    const auto holds = static_cast<std::size_t>(counts[slot] != 0);
     const auto births = static_cast<std::size_t>(log_odds[slot] > occupied_above_) & has_births;
     n += holds | births;
   }
   return n;
 }
 
-void Particles::weigh_slot(std::uint32_t slot, float l, std::uint32_t weight,
+void Particles::weigh_slot(std::uint32_t slot, std::uint32_t count, float l, std::uint32_t weight,
                            Weighed& weighed) const {
-  const std::uint32_t count = this->count(slot);
   weighed.total_weight += std::uint64_t{count} * weight;
   if (count < min_per_voxel_ && l > occupied_above_) {
     const auto voxel = static_cast<std::uint32_t>(weighed.voxels.size());
@@ -136,7 +131,8 @@ void Particles::claim() {
     part.next[0] = 0;
     part.before.assign(weighed().births.size(), VelocitySum{});
   }
-  std::vector<std::uint32_t>& closed = parts_[0].counted.in_slot;  // from its first slot on, placed
+  // From its first slot on, placed.
+  const SparseNumbers::Writer closed = parts_[0].counted.in_slot.writer();
   const RandomStream stream(seed_, Purpose::kResampling, frame_);
   std::uint64_t next = stream.bits(0) >> (64 - claimed_.bits);
   auto births = weighed().births.begin();
@@ -157,9 +153,9 @@ void Particles::claim() {
       next += std::uint64_t{births->count} * claimed_.births.back();
       ++births;
     }
-    closed[slot] = static_cast<std::uint32_t>(i);
+    closed.set(slot, static_cast<std::uint32_t>(i));
   }
-  placed_.in_slot.swap(closed);
+  std::swap(placed_.in_slot, parts_[0].counted.in_slot);
 }
 
 void Particles::resample(const RingIndex& index) {
@@ -174,7 +170,7 @@ void Particles::resample(const RingIndex& index) {
 /// wait for them one after the other. Claiming waits for what it loads, copying for what it stores.
 LDM_TARGET_CLONES void Particles::resample_part(int number) {
   Part& part = parts_[static_cast<std::size_t>(number)];
-  const std::uint32_t* const voxel_in = placed_.in_slot.data();
+  const std::uint32_t* const voxel_in = placed_.in_slot.all().data();
   const Claim* const claims = claimed_.each.data();
   std::uint64_t* const next_of = part.next.data();
   auto* const resampled = reinterpret_cast<std::byte*>(resampled_.data());

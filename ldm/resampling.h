@@ -11,13 +11,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "ldm/machine/bricks.h"
 #include "ldm/particle.h"
 
 namespace ldm {
 
 /// How many particles are in each slot, and in one more all that left the map.
 struct Counted {
-  std::vector<std::uint32_t> in_slot;
+  SparseNumbers in_slot;
 };
 
 /// The voxels that hold particles, or in which some are to be born, in slot order.
@@ -69,7 +70,7 @@ struct Claimed {
 /// In which voxel the particles of a slot are from now on. In the memory of Counted, whose phase is
 /// over.
 struct Placed {
-  std::vector<std::uint32_t> in_slot;  // number of its voxel among Weighed::voxels; 0 for none
+  SparseNumbers in_slot;  // number of its voxel among Weighed::voxels; 0 for none
 };
 
 /// A block of particles, and the places of their copies, in bytes: a shift makes one of a claim,

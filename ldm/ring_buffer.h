@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ldm/machine/bricks.h"
 #include "ldm/types.h"
 
 namespace ldm {
@@ -58,26 +59,57 @@ class RingIndex {
   Eigen::Vector3i origin_slot_;
 };
 
-/// One cell a voxel, in the slots of a RingIndex; cells whose voxel is new become `empty`.
+/// One cell a voxel, in the slots of a RingIndex; cells whose voxel is new become `empty`. Of each
+/// brick of them (bricks.h) a range is known that holds all its cells.
 template <class Cell>
 class RingBuffer {
  public:
   explicit RingBuffer(const Eigen::Vector3i& n, Cell empty = {})
-      : index_(n), empty_(empty), cells_(index_.count(), empty) {}
+      : index_(n),
+        empty_(empty),
+        cells_(index_.count(), empty),
+        ranges_(bricks_of(index_.count()), {empty, empty}) {}
 
   const RingIndex& index() const { return index_; }
-  /// All cells, in slot order.
-  std::span<Cell> cells() { return cells_; }
+  /// All cells, in slot order. To be written, they may become anything.
+  std::span<Cell> cells() {
+    std::fill(ranges_.begin(), ranges_.end(), Range<Cell>::all());
+    return cells_;
+  }
   std::span<const Cell> cells() const { return cells_; }
+  /// The cell in a slot. To be written, it may become anything.
+  Cell& in_slot(std::size_t slot) {
+    ranges_[slot / kBrick] = Range<Cell>::all();
+    return cells_[slot];
+  }
   /// The cell of world voxel v; requires index().window().contains(v).
-  Cell& at(const VoxelIndex& v) { return cells_[index_.slot(v)]; }
+  Cell& at(const VoxelIndex& v) { return in_slot(index_.slot(v)); }
   const Cell& at(const VoxelIndex& v) const { return cells_[index_.slot(v)]; }
+
+  /// What is known of the cells of a brick.
+  const Range<Cell>& range(std::size_t brick) const { return ranges_[brick]; }
+  /// True if cells in slots [first, first + n), n > 0, may be above `value`. Cost: the bricks.
+  bool may_exceed(Cell value, std::size_t first, std::size_t n) const {
+    const auto begin = ranges_.begin() + static_cast<std::ptrdiff_t>(first / kBrick);
+    const auto end = ranges_.begin() + static_cast<std::ptrdiff_t>((first + n - 1) / kBrick + 1);
+    return std::any_of(begin, end, [&](const Range<Cell>& range) { return range.high > value; });
+  }
+  /// For a pass that changes cells and says of each brick anew what it holds: all cells, and all
+  /// ranges beside them.
+  struct Contents {
+    std::span<Cell> cells;
+    std::span<Range<Cell>> ranges;
+  };
+  Contents contents() { return {cells_, ranges_}; }
 
   /// See RingIndex::recenter; `entered` is called after the cells were emptied.
   template <class Entered>
   void recenter(const VoxelIndex& c, Entered&& entered) {
     index_.recenter(c, [&](std::size_t first, std::size_t n) {
       std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(first), n, empty_);
+      for (std::size_t brick = first / kBrick; brick * kBrick < first + n; ++brick) {
+        ranges_[brick].include({empty_, empty_});
+      }
       entered(first, n);
     });
   }
@@ -89,6 +121,7 @@ class RingBuffer {
   RingIndex index_;
   Cell empty_;
   std::vector<Cell> cells_;
+  std::vector<Range<Cell>> ranges_;  // per brick
 };
 
 /// The lowest slot of row (y, z), counted from the window's lowest voxel: its others follow.

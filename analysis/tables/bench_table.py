@@ -61,10 +61,22 @@ def baseline_targets() -> list[Target]:
     return targets
 
 
+def growth_targets() -> list[Target]:
+    """More voxels around the same flight, and a second thread: our own frame over our own."""
+    few = SMALL[1]
+    larger = [Target(f"{edge}^3 over 32^3, {few:,} particles, 1 thread", limit, measured=ldm(edge, few),
+                     against=ldm(*SMALL)) for edge, limit in ((64, 2), (128, 5), (160, 9))]
+    threads = [Target(f"{size[0]}^3, {size[1]:,} particles: 1 thread over 2", least, at_least=True,
+                      measured=ldm(*size), against=ldm(*size, threads=2))
+               for size, least in ((SMALL, 1.2), (LARGE, 1.25))]
+    return larger + threads
+
+
 def targets() -> list[Target]:
     """All, in the order of the table."""
     return [
         *bound_targets(),
+        *growth_targets(),
         *baseline_targets(),
         Target("64x2048 rays over 16x1024, 32^3, 200,000 particles", 1.5,
                measured=ldm(*SMALL, rays=MANY_RAYS), against=ldm(*SMALL)),

@@ -54,7 +54,8 @@ void add_targets(List& list) {
 }
 
 void add_growth(List& list) {
-  for (const int edge : {64, 128}) list.add_bounded({kLdm, edge, kFewParticles, kFewRays, 1});
+  // 160^3 voxels are as many as 256 x 256 x 64.
+  for (const int edge : {64, 128, 160}) list.add_bounded({kLdm, edge, kFewParticles, kFewRays, 1});
   for (const std::int64_t particles : {50'000, 500'000, 1'000'000}) {
     list.add_bounded({kLdm, 32, particles, kFewRays, 1});
   }

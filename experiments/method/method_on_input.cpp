@@ -110,6 +110,8 @@ ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method
   for (const Setting& setting : given.options) {
     if (is_of_method(setting)) apply(setting, method, parameters);
   }
+  std::int64_t& threads = parameters.execution.threads;
+  if (threads == 0) threads = ldm::threads_that_pay(parameters);
   return parameters;
 }
 

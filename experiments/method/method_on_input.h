@@ -31,8 +31,8 @@ struct MethodOnInput {
   std::uint64_t world_seed() const { return seed.value_or(1); }
 };
 
-/// The method's defaults, file or preset, and settings applied. Threads: all cores, unless set.
-/// What a preset says of parameters that the method does not use is left out.
+/// The method's defaults, file or preset, and settings applied. Threads: as many as pay, unless
+/// set. What a preset says of parameters that the method does not use is left out.
 /// @throws ldm::InvalidInput on a bad file or setting.
 ldm::Parameters parameters_of(const MethodOnInput& request, const Method& method,
                               const DataFolders& folders);

@@ -11,7 +11,7 @@ namespace ldm {
 /// machine: where a result must not depend on that number, its parts are combined in their order.
 class Parallel {
  public:
-  /// @param threads 1 runs everything in the caller; 0 stands for all cores.
+  /// @param threads 1 runs everything in the caller; 0: all cores (see threads_that_pay)
   explicit Parallel(std::int64_t threads);
   ~Parallel();
   Parallel(Parallel&&) noexcept;

@@ -48,7 +48,7 @@ class MovingClusters {
   std::vector<VoxelIndex> kept() const {
     std::vector<VoxelIndex> voxels;
     for_each_voxel(log_odds_.index().window(), [&](const VoxelIndex& v, std::size_t) {
-      if (prediction_.kept()[log_odds_.index().slot(v)] != 0) voxels.push_back(v);
+      if (prediction_.kept().at(log_odds_.index().slot(v))) voxels.push_back(v);
     });
     return voxels;
   }

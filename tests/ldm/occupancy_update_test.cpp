@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ldm/measurement_flags.h"
@@ -16,6 +17,15 @@ namespace {
 constexpr float kHit = 0.847298F;     // ln(0.7 / 0.3)
 constexpr float kCross = -0.405465F;  // ln(0.4 / 0.6)
 
+/// A static object, or none, in each slot.
+struct Kept {
+  explicit Kept(std::size_t slots) : owner(slots) {}
+  StaticVoxels voxels() const { return {&owner, is_static}; }
+
+  SparseNumbers owner;
+  std::vector<std::uint8_t> is_static = {1, 0};
+};
+
 class OccupancyUpdateTest : public testing::Test {
  protected:
   OccupancyUpdateTest() : log_odds_(map_.voxels) {}
@@ -26,8 +36,10 @@ class OccupancyUpdateTest : public testing::Test {
   float after(float l, std::uint8_t flag, bool kept = false) {
     std::fill(log_odds_.cells().begin(), log_odds_.cells().end(), l);
     const std::vector<std::uint8_t> flags(log_odds_.cells().size(), flag);
-    const std::vector<std::uint8_t> keep(log_odds_.cells().size(), kept ? 1 : 0);
-    update().apply(flags, keep, log_odds_);
+    Kept keep(flags.size());
+    for (std::size_t slot = 0; slot < flags.size(); ++slot)
+      keep.owner.writer().set(slot, kept ? 1 : 2);
+    update().apply(flags, keep.voxels(), log_odds_);
     for (const float cell : log_odds_.cells()) EXPECT_EQ(cell, log_odds_.cells()[0]);
     return log_odds_.cells()[0];
   }
@@ -137,6 +149,36 @@ std::vector<std::uint8_t> runs_of_flags(std::size_t n, int most, Random& random)
   return flags;
 }
 
+// What a brick is known to hold decides whether it is looked at: the bits are those of a map of
+// which nothing is known.
+TEST(OccupancyUpdateBricksTest, WhatIsPassedOverWouldHaveStayed) {
+  Random random(7);
+  const Eigen::Vector3i n(33, 20, 9);
+  RingBuffer<float> known(n);
+  RingBuffer<float> unknown(n);
+  const OccupancyUpdate update(map_of(n), {}, {});
+  std::size_t uniform_bricks = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const VoxelIndex centre(frame / 4, -frame / 7, 0);
+    known.recenter(centre);
+    unknown.recenter(centre);
+    const auto flags = runs_of_flags(known.index().count(), frame % 3 == 0 ? 400 : 2000, random);
+    Kept kept(flags.size());
+    for (int i = 0; i < 200; ++i) {
+      kept.owner.writer().set(static_cast<std::size_t>(uniform_int(0, 33 * 20 * 9 - 1, random)),
+                              static_cast<std::uint32_t>(uniform_int(1, 2, random)));
+    }
+    for (std::size_t b = 0; b < bricks_of(flags.size()); ++b) {
+      uniform_bricks += std::as_const(known).range(b).is_one() ? 1 : 0;
+    }
+    unknown.cells();  // may be anything from here on
+    update.apply(flags, kept.voxels(), known);
+    update.apply(flags, kept.voxels(), unknown);
+    ASSERT_TRUE(std::ranges::equal(std::as_const(known).cells(), std::as_const(unknown).cells()));
+  }
+  EXPECT_GT(uniform_bricks, 100u);
+}
+
 /// Flags come in window order, `kept` and log-odds in slots: here they are told apart. Stretches of
 /// one flag, of several, and with static objects go ways of their own, all to the same bits.
 class OccupancyUpdateOrderTest : public testing::TestWithParam<std::tuple<bool, int, int>> {};
@@ -151,8 +193,10 @@ TEST_P(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
     RingBuffer<float> log_odds(n);
     log_odds.recenter(random_vector(-600, 600, random));
     const auto flags = runs_of_flags(log_odds.cells().size(), most_alike, random);
-    std::vector<std::uint8_t> kept(one_kept_in > 0 ? flags.size() : 0);
-    for (auto& k : kept) k = uniform_int(1, one_kept_in, random) == 1 ? 1 : 0;
+    Kept kept(flags.size());
+    for (std::size_t slot = 0; one_kept_in > 0 && slot < flags.size(); ++slot) {
+      if (uniform_int(1, one_kept_in, random) == 1) kept.owner.writer().set(slot, 1);
+    }
     for (auto& l : log_odds.cells()) {
       l = static_cast<float>(uniform(-2, 3.5, random));
       if (uniform_int(1, 8, random) == 1) l *= 1e-7F;  // survival leaves nothing of it
@@ -161,19 +205,25 @@ TEST_P(OccupancyUpdateOrderTest, FlagsMeetTheirVoxelWhereverTheWindowIs) {
     SurvivalParameters survival;
     survival.enabled = survives;
     const OccupancyUpdate update(map_of(n), {}, survival, uniform_int(1, 4, random));
-    update.apply(flags, kept, log_odds);
+    update.apply(flags, one_kept_in > 0 ? kept.voxels() : StaticVoxels{}, log_odds);
 
+    for (std::size_t slot = 0; slot < log_odds.cells().size(); ++slot) {
+      const LogOddsRange& range = std::as_const(log_odds).range(slot / kBrick);
+      ASSERT_LE(range.low, std::as_const(log_odds).cells()[slot]);
+      ASSERT_GE(range.high, std::as_const(log_odds).cells()[slot]);
+    }
     const VoxelBox& window = log_odds.index().window();
     for_each_voxel(window, [&](const VoxelIndex& v, std::size_t i) {
       const std::uint8_t f = flags[i];
       const float l_z = f == flag::kOccupied ? z.occupied : f == flag::kFree ? z.free : 0;
-      const bool stays = !kept.empty() && kept[log_odds.index().slot(v)] == 1;
+      const bool stays = kept.voxels().at(log_odds.index().slot(v));
       const bool untouched = l_z == 0 && update.survival(f) == 1;
       const float p_s = stays ? 1 : update.survival(f);
       const float expected =
           untouched ? before.at(v)
                     : update.measured(OccupancyUpdate::survived(before.at(v), p_s), l_z);
-      ASSERT_EQ(log_odds.at(v), expected) << v.transpose() << " of " << n.transpose();
+      const float after = log_odds.cells()[log_odds.index().slot(v)];
+      ASSERT_EQ(after, expected) << v.transpose() << " of " << n.transpose();
     });
   }
 }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
+#include <thread>
 #include <type_traits>
 
 namespace ldm {
@@ -55,6 +57,18 @@ TEST(ParametersTest, DefaultsAreThePapers) {
   };
   for (const auto& [name, value] : paper) EXPECT_EQ(get_parameter({}, name), value) << name;
   EXPECT_NO_THROW(checked(Parameters{}));
+}
+
+TEST(ParametersTest, ThreadsPayByTheSizeOfTheMap) {
+  const auto cores = std::max<std::int64_t>(std::thread::hardware_concurrency(), 1);
+  Parameters parameters;
+  EXPECT_EQ(threads_that_pay(parameters), 1);  // 32^3 and 200,000
+  parameters.map.voxels = {100, 100, 80};      // 800,000: a million in all
+  EXPECT_EQ(threads_that_pay(parameters), 1);
+  ++parameters.particles.count;
+  EXPECT_EQ(threads_that_pay(parameters), std::min<std::int64_t>(2, cores));
+  parameters.map.voxels.setConstant(512);
+  EXPECT_EQ(threads_that_pay(parameters), std::min<std::int64_t>(135, cores));
 }
 
 TEST(ParametersTest, EachIsSetFromItsText) {

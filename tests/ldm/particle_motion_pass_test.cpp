@@ -50,11 +50,13 @@ class PredictionPassTest : public testing::TestWithParam<Eigen::Vector3i> {
   /// What `way(pass)` makes of them, where 1 m/s covers so many voxels.
   template <class Way>
   Predicted predicted(double voxels_per_mps, Way way) const {
-    Predicted result{before_, std::vector<std::uint32_t>(index_.count() + 1)};
-    way(PredictionPass{result.particles.data(), result.count.data(), noise_,
+    Predicted result{before_, {}};
+    SparseNumbers count(index_.count() + 1);
+    way(PredictionPass{result.particles.data(), count.writer(), noise_,
                        RandomStream(1, Purpose::kPrediction, 2),
                        ParticleMotion(index_, fraction_bits_, voxels_per_mps)});
-    result.count.back() = 0;  // not exact
+    count.clear(index_.count(), 1);  // not exact
+    result.count.assign(count.all().begin(), count.all().end());
     return result;
   }
 

@@ -131,6 +131,14 @@ TEST(RowPiecesTest, FollowTheSlotsOfARow) {
   }
 }
 
+void expect_cells_within_ranges(const RingBuffer<int>& ring) {
+  for (std::size_t slot = 0; slot < ring.cells().size(); ++slot) {
+    const Range<int>& range = ring.range(slot / kBrick);
+    ASSERT_LE(range.low, ring.cells()[slot]);
+    ASSERT_GE(range.high, ring.cells()[slot]);
+  }
+}
+
 /// A walk in small steps with now and then a leap, on which values are written here and there.
 void compare_on_walk(const Eigen::Vector3i& n, Random& random) {
   RingBuffer<int> ring(n, -1);
@@ -144,6 +152,7 @@ void compare_on_walk(const Eigen::Vector3i& n, Random& random) {
     ASSERT_EQ(ring.index().window().origin, dense.window().origin);
     for_each_voxel(ring.index().window(),
                    [&](const VoxelIndex& v, std::size_t) { ASSERT_EQ(ring.at(v), dense.at(v)); });
+    expect_cells_within_ranges(ring);
     for (int i = 0; i < 100; ++i) {
       const VoxelIndex v = random_voxel(ring.index().window(), random);
       ring.at(v) = dense.at(v) = value++;
@@ -170,6 +179,26 @@ TEST(RingBufferTest, LeapsAcrossTheWholeWorld) {
     map.recenter(VoxelIndex(far + 2, far, far - 1));
     EXPECT_EQ(map.at(VoxelIndex::Constant(far)), 3);
   }
+}
+
+TEST(RingBufferTest, RangesAreOfTheEmptyUntilCellsAreWritten) {
+  const Eigen::Vector3i n(16, 16, 5);
+  RingBuffer<int> map(n, -1);
+  EXPECT_TRUE(map.range(0).is_one());
+  EXPECT_FALSE(map.may_exceed(-1, 0, map.index().count()));
+  EXPECT_TRUE(map.may_exceed(-2, 0, 1));
+  map.in_slot(kBrick) = 4;  // the first of the second brick
+  EXPECT_FALSE(map.may_exceed(3, 0, kBrick));
+  EXPECT_TRUE(map.may_exceed(3, 0, kBrick + 1));
+  EXPECT_TRUE(map.may_exceed(3, 2 * kBrick - 1, 1));
+  EXPECT_FALSE(map.may_exceed(3, 2 * kBrick, 5));
+  map.contents().ranges[1] = {4, 4};
+  EXPECT_FALSE(map.may_exceed(4, 0, map.index().count()));
+  map.recenter(VoxelIndex(1, 0, 0));  // a column of new voxels, some in each brick
+  EXPECT_EQ(map.range(1).low, -1);
+  EXPECT_EQ(map.range(1).high, 4);
+  map.cells()[0] = 9;
+  EXPECT_TRUE(map.may_exceed(8, 4 * kBrick, 1));
 }
 
 TEST(RingBufferTest, CellsAreEmptiedBeforeTheyAreTold) {

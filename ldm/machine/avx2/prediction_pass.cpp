@@ -107,18 +107,18 @@ struct FourParticles {
   }
 };
 
-LDM_AVX2 void count_slots(__m256i slots, std::uint32_t* count) {
-  ++count[static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 0))];
-  ++count[static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 2))];
-  ++count[static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 4))];
-  ++count[static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 6))];
+LDM_AVX2 void count_slots(__m256i slots, const SparseNumbers::Writer& count) {
+  count.add_one(static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 0)));
+  count.add_one(static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 2)));
+  count.add_one(static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 4)));
+  count.add_one(static_cast<std::uint32_t>(_mm256_extract_epi32(slots, 6)));
 }
 
 LDM_AVX2 std::size_t move_fours(const PredictionPass& pass, std::size_t begin, std::size_t end) {
   const FourMotions motion(pass.motion.constants());
   const FourNoises noise(pass.noise);
   const RandomStream stream = pass.stream;
-  std::uint32_t* const count = pass.count;
+  const SparseNumbers::Writer count = pass.count;
   std::size_t i = begin;
   __m256i sigma = noise.of(stream.bits(i / 2), stream.bits(i / 2 + 1));
   __m256i counted = motion.gone();
@@ -131,6 +131,9 @@ LDM_AVX2 std::size_t move_fours(const PredictionPass& pass, std::size_t begin, s
     four.store(counted, pass.particles + i);
   }
   count_slots(counted, count);
+  // GCC 12 forgets it here: with upper halves in use, the weights of `circular_buffer_pf`, whose
+  // exponentials are SSE's code, took 0.25 ms instead of 0.10.
+  _mm256_zeroupper();
   return i;
 }
 

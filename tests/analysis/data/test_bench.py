@@ -15,6 +15,7 @@ STAGES = {"particle_prediction": 0.5, "resampling": 0.7}
 MILLISECONDS = {
     ldm(32, 200_000): 2.0,
     ldm(32, 200_000, threads=2): 1.5,
+    ldm(64, 200_000): 4.5,
     ldm(32, 200_000, rays=(64, 2048)): 2.5,
     bound("memory", 200_000, 1): 1.0,
     bound("cache", 200_000, 1): 0.25,
@@ -62,6 +63,9 @@ def test_ratios_by_hand(bench):
     one = "32^3, 200,000 particles, 1 thread: B3 from"
     assert row(bench, f"{one} memory") == ["2.000", "1.000", "2.00", "<= 2.5 times", "met"]
     assert row(bench, f"{one} cache") == ["2.000", "0.250", "8.00", "<= 2.5 times", "NOT MET"]
+    assert row(bench, "64^3 over 32^3") == ["4.500", "2.000", "2.25", "<= 2 times", "NOT MET"]
+    assert row(bench, "32^3, 200,000 particles: 1 thread over 2") == [
+        "2.000", "1.500", "1.33", ">= 1.2 times", "met"]
     assert row(bench, "plain") == ["60.000", "2.000", "30.00", ">= 25 times", "met"]
     assert row(bench, "liboctomap over circular_buffer, 32") == [
         "6.000", "0.600", "10.00", ">= 15 times", "NOT MET"]
@@ -98,7 +102,7 @@ def test_growth_has_the_bound_below(bench):
     ours, memory, cache = rays.lines
     assert list(ours.get_xdata()) == [16 * 1024, 64 * 2048] and list(ours.get_ydata()) == [2.0, 2.5]
     assert list(memory.get_ydata()) == [1.0, 1.0] and list(cache.get_ydata()) == [0.25, 0.25]
-    assert list(voxels.lines[0].get_xdata()) == [32**3]
+    assert list(voxels.lines[0].get_xdata()) == [32**3, 64**3]
     assert list(threads.lines[0].get_ydata()) == [2.0, 1.5]
 
 
