@@ -7,9 +7,8 @@
 /// (`SparseNumbers::any_in`). Every pass over the map goes from brick to brick, and into those
 /// alone that have something for it:
 ///
-/// - the occupancy update, unless one flag is all that a brick gets and changes nothing: unknown
-/// space that
-///   no ray met stays unknown, free space at the clamp stays free;
+/// - the occupancy update, unless one flag is all that a brick gets, and it changes nothing:
+///   unknown space that no ray met, free space at the clamp;
 /// - clustering, where the upper bound is above the threshold;
 /// - weights and births, there and where particles are; counts are cleared where there were any.
 #include <algorithm>
