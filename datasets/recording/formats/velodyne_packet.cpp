@@ -79,15 +79,15 @@ bool take_velodyne_points(const Packet& packet, const mrpt::obs::VelodyneCalibra
     const std::size_t bank = block.header() == Scan::LOWER_BANK ? 32 : 0;
     for (std::size_t k = 0; k < Scan::SCANS_PER_BLOCK; ++k) {
       const std::size_t laser = (bank + k) % model->lasers;
-      const auto firing = static_cast<double>(k / model->lasers);
-      const auto place = static_cast<double>(laser - bank);
+      const std::size_t firing = k / model->lasers;
+      const std::size_t place = k % model->lasers;
       const Laser& correction = calibration.laser_corrections[laser];
       const unsigned distance = distance_of(block.laser_returns[k]);
       if (distance == 0) continue;
       const double range = 0.002 * distance + correction.distanceCorrection;
       const double azimuth =
-          0.01 *
-          (block.rotation() + step * (firing * model->per_firing + place * model->per_laser));
+          0.01 * (block.rotation() + step * (static_cast<double>(firing) * model->per_firing +
+                                             static_cast<double>(place) * model->per_laser));
       points.push_back({point_of(range, azimuth, correction), azimuth});
     }
   }
