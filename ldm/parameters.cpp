@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <thread>
 #include <type_traits>
 
+#include "ldm/machine/parallel.h"
 #include "ldm/parameter_text.h"
 
 namespace ldm {
@@ -127,9 +127,8 @@ std::int64_t threads_that_pay(const Parameters& parameters) {
   constexpr double kEach = 1e6;
   const double size =
       parameters.map.voxels.cast<double>().prod() + static_cast<double>(parameters.particles.count);
-  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(size / kEach)), 1,
-                                  std::max<std::int64_t>(cores, 1));
+                                  Parallel::at_once());
 }
 
 const Parameters& checked(const Parameters& parameters) {

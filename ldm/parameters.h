@@ -179,8 +179,8 @@ std::string get_parameter(const Parameters& parameters, std::string_view name);
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
 
 /// The threads that pay: one for each million, or part of one, of voxels and particles together, at
-/// most all cores. A second one brings less than 1.4 times the speed on a smaller map
-/// (docs/benchmarks.md).
+/// most as many as run at once (parallel.h). A second one brings less than 1.4 times the speed on a
+/// smaller map (docs/benchmarks.md).
 std::int64_t threads_that_pay(const Parameters& parameters);
 
 /// Its argument. @throws InvalidInput naming the first parameter out of its range, its value and

@@ -10,8 +10,12 @@ struct Parallel::Arena {
 };
 
 Parallel::Parallel(std::int64_t threads)
-    : parts_(threads == 0 ? tbb::this_task_arena::max_concurrency() : static_cast<int>(threads)) {
+    : parts_(static_cast<int>(threads == 0 ? at_once() : threads)) {
   if (parts_ > 1) arena_ = std::make_unique<Arena>(Arena{tbb::task_arena(parts_)});
+}
+
+std::int64_t Parallel::at_once() {
+  return tbb::this_task_arena::max_concurrency();
 }
 
 Parallel::~Parallel() = default;

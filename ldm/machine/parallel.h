@@ -11,13 +11,15 @@ namespace ldm {
 /// machine: where a result must not depend on that number, its parts are combined in their order.
 class Parallel {
  public:
-  /// @param threads 1 runs everything in the caller; 0: all cores (see threads_that_pay)
+  /// @param threads 1 runs everything in the caller; 0 stands for at_once()
   explicit Parallel(std::int64_t threads);
   ~Parallel();
   Parallel(Parallel&&) noexcept;
   Parallel& operator=(Parallel&&) noexcept;
 
   int parts() const { return parts_; }
+  /// How many can run at the same time: the cores; 1 where there is nothing to run them (no TBB).
+  static std::int64_t at_once();
 
   /// body(part) for each part, at the same time; returns when all are done.
   template <class Body>

@@ -6,7 +6,12 @@ namespace ldm {
 
 struct Parallel::Arena {};
 
-Parallel::Parallel(std::int64_t threads) : parts_(threads == 0 ? 1 : static_cast<int>(threads)) {}
+Parallel::Parallel(std::int64_t threads)
+    : parts_(static_cast<int>(threads == 0 ? at_once() : threads)) {}
+
+std::int64_t Parallel::at_once() {
+  return 1;
+}
 
 Parallel::~Parallel() = default;
 Parallel::Parallel(Parallel&&) noexcept = default;

@@ -6,8 +6,9 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <thread>
 #include <type_traits>
+
+#include "ldm/machine/parallel.h"
 
 namespace ldm {
 namespace {
@@ -60,7 +61,7 @@ TEST(ParametersTest, DefaultsAreThePapers) {
 }
 
 TEST(ParametersTest, ThreadsPayByTheSizeOfTheMap) {
-  const auto cores = std::max<std::int64_t>(std::thread::hardware_concurrency(), 1);
+  const std::int64_t cores = Parallel::at_once();
   Parameters parameters;
   EXPECT_EQ(threads_that_pay(parameters), 1);  // 32^3 and 200,000
   parameters.map.voxels = {100, 100, 80};      // 800,000: a million in all
